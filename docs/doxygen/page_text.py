@@ -53,4 +53,5 @@ def with_headings(text, page):
 
 def text_of(page, known):
     text = pages.with_outside_links((pages.ROOT / page).read_text(encoding="utf-8"), page)
+    text = text.replace('src="../images/', 'src="images/')
     return with_percent_signs(with_headings(with_links(text, page, known), page))

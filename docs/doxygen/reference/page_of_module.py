@@ -54,7 +54,7 @@ def markdown(language, module, fence):
 
 
 def first_sentence(text):
-    return re.split(r"(?<=\.)\s", " ".join(text.split("\n\n")[0].split()))[0]
+    return re.split(r"(?<=\.)(?<!al\.)\s", " ".join(text.split("\n\n")[0].split()))[0]
 
 
 def index(language, modules, introduction):

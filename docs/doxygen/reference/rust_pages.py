@@ -41,7 +41,7 @@ def declaration(lines, start):
 
 def macro_kinds(text):
     """The enums that a macro makes of the library's constants."""
-    for found in re.finditer(r"constants! \{\n((?:    ///.*\n)*)    (\w+) \{\n(.*?)\n    \}\n\}", text, re.DOTALL):
+    for found in re.finditer(r"constants! \{\n((?: {4}///[^\n]*\n)*) {4}(\w+) \{\n(.*?)\n {4}\}\n\}", text, re.DOTALL):
         words = [line.strip()[4:] for line in found[1].splitlines()]
         body = re.sub(r" = HS_\w+", "", found[3])
         yield Item(found[2], f"enum {found[2]} {{\n" + "\n".join(line[4:] for line in body.splitlines()) + "\n}",
@@ -57,7 +57,7 @@ def items_of(text):
         if stripped.startswith("///"):
             words.append(stripped[4:])
         elif re.match(r"impl\b", line) and line.rstrip().endswith("{"):
-            named = re.search(r"(?:for )?(\w+)(?:<[^{]*>)? \{$", line)
+            named = re.match(r"impl(?:<.*?>)? (\w+)", line)
             owner = named[1] if named and " for " not in line else None
             words = []
         elif line.startswith("}"):
