@@ -10,8 +10,7 @@ FENCED = re.compile(r"(?ms)(^ *```.*?^ *```)")
 def with_percent_signs(text):
     """Doxygen takes a percent sign before a word away, also within words of code."""
     def code(found):
-        words = found[1].replace("&", "&amp;").replace("<", "&lt;").replace("%", "&#37;")
-        return f"<code>{words}</code>"
+        return f"`{found[1].replace('%', '%%')}`"
 
     parts = FENCED.split(text)
     return "".join(part if i % 2 else re.sub(r"`([^`\n]*%\w[^`\n]*)`", code, part) for i, part in enumerate(parts))

@@ -27,7 +27,7 @@
       else if (text.includes(word)) sum += 2;
       else return 0;
     }
-    return sum;
+    return /^(rust|fortran|python): /.test(title) ? sum / 2 : sum;
   }
 
   function excerpt(text, word) {

@@ -15,7 +15,7 @@ def prose(lines):
             shown.append("```")
         elif not (in_code and re.match(r"#( |$)", line)):
             shown.append(line)
-    text = "\n".join(shown)
+    text = "\n".join(shown).replace("\\[", "[")
     return re.sub(r"(?m)^# (.*)$", r"**\1**", re.sub(r"\[(`[^`\]]+`)\](?:\([^)]*\))?", r"\1", text))
 
 
