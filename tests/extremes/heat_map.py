@@ -1,4 +1,6 @@
-"""Draws cells that pass, are degraded or fail: a panel for each variant of a scene, a row for each varied parameter."""
+"""Draws cells that pass, are degraded or fail: for each varied parameter a line for all variants with the same result."""
+import textwrap
+
 import matplotlib
 import numpy as np
 
@@ -21,33 +23,56 @@ def short(value):
     return text.replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
 
 
-def draw_panel(axis, name, rows, verdict_of):
-    """`rows` are names with their values; verdict_of(row, value) is None for a cell without a run."""
-    for y, (row, values) in enumerate(rows):
-        for x, value in enumerate(values):
-            verdict = verdict_of(row, value)
-            if verdict is None:
-                continue
-            axis.add_patch(plt.Rectangle((x, y), 0.96, 0.92, color=COLOURS[verdict]))
-            axis.text(x + 0.48, y + 0.46, short(value), ha="center", va="center", fontsize=6, color="white")
-    axis.set(xlim=(0, max(len(values) for _, values in rows)), ylim=(len(rows), 0), xticks=[])
-    axis.set_title(name, fontsize=10)
-    axis.set_yticks(np.arange(len(rows)) + 0.46, [row for row, _ in rows])
-    axis.tick_params(length=0)
-    for side in axis.spines.values():
-        side.set_visible(False)
+def label(variants, all_variants):
+    """Names such as "2D, per area", those of one dimension together."""
+    if len(variants) == len(all_variants):
+        return "all"
+    parts = []
+    for dimension in ("2D", "3D"):
+        inside = [name.removeprefix(f"{dimension}, ") for name in variants if name.startswith(dimension)]
+        count = sum(name.startswith(dimension) for name in all_variants)
+        if inside:
+            parts.append(f"{dimension}: {'all' if len(inside) == count else '; '.join(inside)}")
+    return ". ".join(parts)
 
 
-def draw(path, names, across, rows, verdict_of, classes):
-    """A panel for each name, `across` of them side by side; verdict_of(row, name, value)."""
-    down = -(-len(names) // across)
-    figure, axes = plt.subplots(down, across, figsize=(3 + 4.7 * across, 0.6 + 0.32 * down * (len(rows) + 1)),
-                                sharey=True, squeeze=False)
-    figure.subplots_adjust(left=2.5 / (3 + 4.7 * across), right=0.995, top=0.96, bottom=0.05, wspace=0.03, hspace=0.1)
-    for axis in axes.flat[len(names):]:
-        axis.set_visible(False)
-    for axis, name in zip(axes.flat, names):
-        draw_panel(axis, name, rows, lambda row, value, name=name: verdict_of(row, name, value))
+def lines_of(row, values, names, verdict_of):
+    """A line for all variants with the same verdicts: its label, and value and verdict of each cell."""
+    groups = {}
+    for name in names:
+        cells = tuple((value, verdict_of(row, name, value)) for value in values)
+        if any(verdict for _, verdict in cells):
+            groups.setdefault(cells, []).append(name)
+    tried = [name for group in groups.values() for name in group]
+    return [(textwrap.wrap(label(group, tried), 52), cells) for cells, group in groups.items()]
+
+
+def draw(path, names, rows, verdict_of, classes):
+    """A heading for each row, below it the lines of its variants; verdict_of(row, name, value) is None without a run."""
+    blocks = [(row, lines_of(row, values, names, verdict_of)) for row, values in rows]
+    height = sum(0.3 + (len(lines) > 1) + sum(max(1, 0.62 * len(words)) for words, _ in lines) for _, lines in blocks)
+    across = max(len(values) for _, values in rows)
+    figure, axis = plt.subplots(figsize=(10, 0.25 * height + 0.5))
+    figure.subplots_adjust(left=0.37, right=0.995, top=1 - 0.02 / figure.get_figheight(),
+                           bottom=0.4 / figure.get_figheight())
+    y = 0
+    for row, lines in blocks:
+        y += 0.3
+        axis.text(-0.15, y + 0.5, row, ha="right", va="center", fontsize=9.5, fontweight="bold")
+        if len(lines) == 1:
+            lines = [([""], lines[0][1])]  # of all variants
+        else:
+            y += 1
+        for words, cells in lines:
+            tall = max(1, 0.62 * len(words))
+            axis.text(-0.15, y + tall / 2, "\n".join(words), ha="right", va="center", fontsize=8, linespacing=1.1)
+            for x, (value, verdict) in enumerate(cells):
+                if verdict:
+                    axis.add_patch(plt.Rectangle((x, y + 0.04), 0.96, tall - 0.08, color=COLOURS[verdict]))
+                    axis.text(x + 0.48, y + tall / 2, short(value), ha="center", va="center", fontsize=8, color="white")
+            y += tall
+    axis.set(xlim=(0, across), ylim=(height, 0))
+    axis.axis("off")
     handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[name]) for name in classes]
-    figure.legend(handles, classes, loc="lower center", ncol=len(classes), frameon=False)
+    figure.legend(handles, classes, loc="lower center", ncol=len(classes), frameon=False, fontsize=9)
     figure.savefig(path, dpi=100)
