@@ -51,7 +51,7 @@ if(HALFSPACE_BUILD_BOX2D)
 endif()
 if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
-    CONTENT "the command halfspace, which runs scene files" COMPILED_IN cli11 tomlplusplus)
+    CONTENT "the command halfspace, which runs scene files, and its viewer" COMPILED_IN cli11 three tomlplusplus)
 endif()
 if(HALFSPACE_BUILD_PYTHON)
   halfspace_package(python NAME python3-halfspace SECTION python ANY_MACHINE
