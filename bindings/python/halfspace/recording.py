@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._viewer import hs_recording, viewer_library, viewer_page
+from ._viewer import viewer_library, viewer_page
 from .constants import BlockKind
 from .context import held
 from .errors import HalfspaceError

@@ -1,6 +1,6 @@
-"""figures.py [--quick]: the size of pages, the time that they take to open, and the frames per second that they play in
-headless Chromium, which draws by software. The recordings are synthetic: all blocks move and turn in all frames, each at
-a speed of its own, and each has a contact with a force that changes; a run whose blocks rest takes less."""
+"""figures.py [--quick]: the size of pages, the time that they take to open, and the frames per second that they play
+in headless Chromium, which draws by software. The recordings are synthetic: all blocks move and turn in all frames,
+each at a speed of its own, and each has a contact with a force that changes. A run whose blocks rest takes less."""
 import pathlib
 import sys
 import tempfile

@@ -47,7 +47,8 @@ class Browser:
     def run(self, script, *arguments):
         """The result of the body of an asynchronous function, in which `a` are the arguments."""
         code = f"""const a = [...arguments], done = a.pop();
-            (async () => {{ {script} }})().then((value) => done([value, null]), (error) => done([null, error.stack]));"""
+            (async () => {{ {script} }})().then(
+              (value) => done([value, null]), (error) => done([null, error.stack]));"""
         result, problem = self.driver.execute_async_script(code, *arguments)
         if problem:
             raise AssertionError(problem)

@@ -48,7 +48,8 @@ class ViewerTest(unittest.TestCase):
         cls.browser.open(cls.output / "view.html")
 
     def setUp(self):
-        self.go_to(0)
+        self.browser.run("viewer.setOpacity(1); viewer.setSection(-1); viewer.select(-1);"
+                         "viewer.setLayer('forces', false); await viewer.player.goTo(0)")
 
     def tearDown(self):
         self.assertEqual(self.browser.problems(), [])
@@ -242,7 +243,7 @@ class Space(ViewerTest):
         self.assertGreater(np.abs(self.colour_at(self.pixel_of((-1, 0, 0.5)), shown) - background).max(), 20)
 
     def test_forces_are_seen_through_blocks(self):
-        self.browser.run("viewer.setSection(-1); document.getElementById('layer-forces').click(); await viewer.player.goTo(8)")
+        self.browser.run("viewer.setLayer('forces', true); await viewer.player.goTo(8)")
         self.assertEqual(self.browser.run("return viewer.picture.blockMesh.uniforms.opacity.value"), 0.25)
         self.assertGreater(self.browser.run("return viewer.layers.bars.forces.count"), 0)
 
