@@ -41,10 +41,11 @@ void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
   for (const char* name :
-       {"run.pvd",    "contacts.pvd", "contacts.csv", "cracks.csv", "bolts.csv",   "bolts.pvd", "history.csv",
-        "first.svg",  "last.svg",     "summary.txt",  "safety.txt", "stands.svg",  "falls.svg", "trade.csv",
-        "trade.txt",  "trade.svg",    "limit.txt",    "trials.csv", "table.csv",   "table.svg", "results.csv",
-        "joints.csv", "checkpoint",   "blocks.csv",   "water.pvd",  "paraview.py", "view.html"})
+       {"run.pvd",     "contacts.pvd",        "contacts.csv", "cracks.csv",  "bolts.csv",  "bolts.pvd",
+        "history.csv", "first.svg",           "last.svg",     "summary.txt", "safety.txt", "stands.svg",
+        "falls.svg",   "trade.csv",           "trade.txt",    "trade.svg",   "limit.txt",  "trials.csv",
+        "table.csv",   "table.svg",           "results.csv",  "joints.csv",  "checkpoint", "blocks.csv",
+        "water.pvd",   "show_in_paraview.py", "view.html"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(path, "stage_", ".svg");

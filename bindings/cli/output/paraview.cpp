@@ -14,7 +14,7 @@ std::string python(const std::string& text) {
 }
 
 constexpr const char* begin_of_script =
-    R"(# Shows the run in ParaView: paraview --script=paraview.py, or File > Load State.
+    R"(# Shows the run in ParaView: paraview --script=show_in_paraview.py, or File > Load State.
 import os
 
 from paraview.simple import *
@@ -31,6 +31,8 @@ def series(name):
 
 view = GetActiveViewOrCreate("RenderView")
 blocks = series("run.pvd")
+animation = GetAnimationScene()
+animation.UpdateAnimationUsingDataTimeSteps()
 shown = Show(blocks, view)
 shown.Representation = "Surface With Edges"
 ColorBy(shown, ("CELLS", "displacement", "Magnitude"))
@@ -39,10 +41,11 @@ shown.SetScalarBarVisibility(view, True)
 )";
 
 constexpr const char* contacts_in_script = R"(
-# A line along each contact force, as long as the force.
+# A line along each contact force, as long as the force; the largest one at the end is a tenth of the picture.
 contacts = CellCenters(Input=series("contacts.pvd"))
-contacts.UpdatePipeline()
-largest = max(contacts.PointData["force"].GetRange(-1)[1], 1e-300)
+contacts.UpdatePipeline(animation.EndTime)
+force = contacts.PointData["force"]
+largest = force.GetRange(-1)[1] if force and force.GetRange(-1)[1] > 0 else 1
 forces = Glyph(registrationName="contact forces", Input=contacts, GlyphType="Line")
 forces.OrientationArray = ["POINTS", "force"]
 forces.ScaleArray = ["POINTS", "force"]
@@ -78,7 +81,7 @@ std::string paraview_script(const Scene& scene) {
   script += "\ntitle = Text(Text=" + python(scene.title) + ")\nShow(title, view)\n";
   script += scene.world.dimension == 2 ? "view.InteractionMode = \"2D\"\nview.ResetCamera()\n"
                                        : "view.ApplyIsometricView()\nview.ResetCamera()\n";
-  return script + "GetAnimationScene().UpdateAnimationUsingDataTimeSteps()\nRender()\n";
+  return script + "Render()\n";
 }
 
 }  // namespace halfspace::cli

@@ -210,7 +210,7 @@ void Record::save_tables() {
 
 void Record::save_descriptions() {
   directory_.write("blocks.csv", blocks_table(scene_, model_.layout()));
-  directory_.write("paraview.py", paraview_script(scene_));
+  directory_.write("show_in_paraview.py", paraview_script(scene_));
   has_descriptions_ = true;
 }
 

@@ -1,21 +1,24 @@
 """Recordings of worlds, which the viewer plays."""
 import ctypes
 import os
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _raw
 from ._viewer import viewer_library, viewer_page
 from .constants import BlockKind
 from .context import held
-from .errors import HalfspaceError
+from .errors import ArgumentError
 from .shape import Shape
 from .world import World
 
 _DEFORMING = (BlockKind.AFFINE, BlockKind.MESH)
-_TENSOR = {2: {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1)}}
-_TENSOR[3] = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "yz": (1, 2), "zx": (2, 0), "xy": (0, 1)}
+_TENSOR: Dict[int, Dict[str, Tuple[int, int]]] = {
+    2: {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1)},
+    3: {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "yz": (1, 2), "zx": (2, 0), "xy": (0, 1)},
+}
 _REPORTED = ("time", "steps", "contact_count", "largest_overlap", "largest_speed")
 _ENERGIES = (
     "kinetic",
@@ -31,10 +34,10 @@ _ENERGIES = (
 
 
 def _checked(result: Any) -> Any:
-    """The result of a function of the viewer's library. Raises HalfspaceError if it failed."""
+    """The result of a function of the viewer's library. Raises ArgumentError if it failed."""
     failed = not result if isinstance(result, ctypes._Pointer) else result is not None and result < 0
     if failed:
-        raise HalfspaceError(viewer_library().hs_recording_error().decode())
+        raise ArgumentError(_raw.HS_ERROR_ARGUMENT, viewer_library().hs_recording_error().decode())
     return result
 
 

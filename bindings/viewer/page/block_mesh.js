@@ -35,6 +35,7 @@ class BlockMesh {
     });
     this.mesh = new THREE.Mesh(meshGeometry(blocks), this.material);
     this.mesh.frustumCulled = false;
+    this.visibleFaces = dimension === 3 ? new VisibleFaces(recording, this.mesh.geometry) : null;
     this.uniforms = this.material.uniforms;
   }
 
@@ -86,6 +87,13 @@ class BlockMesh {
     return Array.from({length: vertexCount}, (_, v) => firstNode < 0
       ? new THREE.Vector3(...vertices.subarray(3 * v, 3 * v + 3)).applyQuaternion(rotation).add(place)
       : new THREE.Vector3(...this.states.subarray(4 * (this.firstNode + firstNode + v)).subarray(0, 3)));
+  }
+
+  /** Leaves out the faces that look away from the camera, unless a section shows the inside of blocks. */
+  prepare(camera) {
+    if (!this.visibleFaces) return;
+    if (this.uniforms.hasSection.value) this.visibleFaces.showAll();
+    else this.visibleFaces.show(camera, this.states);
   }
 
   setOpacity(opacity) {

@@ -39,6 +39,7 @@ class Picture {
     const style = getComputedStyle(document.documentElement);
     const [text, quiet, card] = ["--text", "--quiet", "--card"].map((name) => style.getPropertyValue(name));
     renderer.setClearColor(new THREE.Color(style.getPropertyValue("--back").trim()), 1);
+    this.blockMesh.prepare(control.camera);
     renderer.render(this.scene, control.camera);
     const context = overlay.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);

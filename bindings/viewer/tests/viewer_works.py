@@ -48,7 +48,7 @@ class ViewerTest(unittest.TestCase):
         cls.browser.open(cls.output / "view.html")
 
     def setUp(self):
-        self.browser.run("viewer.setOpacity(1); viewer.setSection(-1); viewer.select(-1);"
+        self.browser.run("viewer.player.pause(); viewer.setOpacity(1); viewer.setSection(-1); viewer.select(-1);"
                          "viewer.setLayer('forces', false); await viewer.player.goTo(0)")
 
     def tearDown(self):
@@ -175,14 +175,14 @@ class Plane(ViewerTest):
         return near[np.abs(near - colour).max(axis=1).argmin()]
 
     def test_playing(self):
-        self.browser.run("viewer.player.framesPerSecond = 20; document.getElementById('picture').focus()")
+        self.browser.run("document.getElementById('picture').focus()")
         self.browser.type(" ")
-        seen = self.browser.run(
-            "const seen = new Set(), begin = performance.now();"
-            "while (performance.now() - begin < 5000 && seen.size < 9)"
-            "  await new Promise((next) => requestAnimationFrame(() => { seen.add(viewer.frame.number); next(); }));"
-            "return seen.size")
-        self.assertGreater(seen, 4)
+        self.assertTrue(self.browser.run("return viewer.player.isPlaying"))
+        # However slow the machine is: it shows other frames, and begins again after the last one.
+        self.browser.run(
+            "const next = () => new Promise((shown) => requestAnimationFrame(() => shown(viewer.frame.number)));"
+            "let largest = 0, number = 0;"
+            "while (number >= largest) { largest = number; number = await next(); }")
         self.browser.type(" ")
         self.assertFalse(self.browser.run("return viewer.player.isPlaying"))
         number = self.browser.run("return viewer.player.goTo(3).then(() => viewer.frame.number)")
