@@ -50,7 +50,7 @@ class Viewer {
   /** Shows the frame again, after a change of what is shown. */
   update() {
     const {frame} = this, values = this.field.valuesIn(frame);
-    this.picture.blockMesh.show(frame, this.isLog ? values.map(Math.log10) : values);
+    this.picture.blockMesh.show(frame, this.isLog ? values.map(Math.log10) : values, !this.field.categories);
     this.layers.show(frame);
     this.inspector.show(frame);
     this.controls.showFrame(frame);
@@ -130,6 +130,7 @@ class Viewer {
 
   setLayer(name, isShown) {
     this.layers.isShown[name] = isShown;
+    this.controls.showLayer(name, isShown);
     const {uniforms} = this.picture.blockMesh;
     // Forces inside of solids are seen through them.
     if (name === "forces" && isShown && this.recording.dimension === 3 && uniforms.opacity.value === 1)

@@ -39,8 +39,8 @@ class BlockMesh {
     this.uniforms = this.material.uniforms;
   }
 
-  /** Shows a frame, coloured by these values; other than finite ones are grey. */
-  show(frame, values) {
+  /** Shows a frame, coloured by these values. Blocks without a finite one are grey, and fixed blocks if so wanted. */
+  show(frame, values, hasGreyFixed = false) {
     const {states, recording: {dimension, blocks}} = this;
     const present = frame.column("blocks", "present");
     const [x, y, z, angle, qx, qy, qz, qw] =
@@ -51,7 +51,8 @@ class BlockMesh {
       states[i] = x[b];
       states[i + 1] = y[b];
       states[i + 2] = dimension === 3 ? z[b] : 0;
-      states[i + 3] = present[b] === 0 ? hidden : Number.isFinite(value) ? value : missing;
+      const isColoured = Number.isFinite(value) && !(hasGreyFixed && isFixed(blocks[b]));
+      states[i + 3] = present[b] === 0 ? hidden : isColoured ? value : missing;
       if (dimension === 2) {
         states[i + 6] = Math.sin(angle[b] / 2);
         states[i + 7] = Math.cos(angle[b] / 2);

@@ -1,6 +1,7 @@
 "use strict";
 
-const seriesColours = ["#4c8dff", "#f0883e", "#3fb27f", "#d2569b", "#9a7bff", "#c9a227", "#5bb5c9", "#e5534b"];
+const seriesColours = ["#4c8dff", "#f0883e", "#3fb27f", "#d2569b", "#9a7bff", "#c9a227", "#5bb5c9", "#e5534b",
+  "#8a9a3b", "#b07a5a", "#7d8aa5", "#3a6ea5"];
 
 /** A chart of lines over time in a canvas. A click or drag in it goes to a time. */
 class Chart {

@@ -83,6 +83,10 @@ class Controls {
     });
   }
 
+  showLayer(name, isShown) {
+    element(`layer-${name}`).checked = isShown;
+  }
+
   showOpacity(opacity) {
     element("opacity").value = opacity;
   }

@@ -16,11 +16,7 @@ function fieldsOf(recording, start) {
     const values = Float32Array.from(blocks, value);
     return () => values;
   };
-  // Fixed blocks have no motion to show, and stay grey.
-  const moved = (frame, block, axis) =>
-    blocks[block].kind === 0 ? NaN : frame.column("blocks", axes[axis])[block] - origin[axis][block];
-  const ofMoving = (frame, name) =>
-    frame.column("blocks", name).map((value, block) => (blocks[block].kind === 0 ? NaN : value));
+  const moved = (frame, block, axis) => frame.column("blocks", axes[axis])[block] - origin[axis][block];
   const fields = [
     new Field("displacement", "m", (frame) => Float32Array.from(blocks, ({number}) =>
       Math.hypot(...axes.map((_, axis) => moved(frame, number, axis)))), null),
@@ -30,9 +26,7 @@ function fieldsOf(recording, start) {
   for (const column of recording.description("blocks")) {
     if (["present", "x", "y", "z", "angle", "qx", "qy", "qz", "qw"].includes(column.name)) continue;
     const isSigned = column.low < 0;
-    const isMotion = column.name.endsWith("speed");
-    const values = (frame) => (isMotion ? ofMoving(frame, column.name) : frame.column("blocks", column.name));
-    fields.push(new Field(column.name, column.unit, values,
+    fields.push(new Field(column.name, column.unit, (frame) => frame.column("blocks", column.name),
       [isSigned ? column.usual_low : 0, column.usual_high], {map: isSigned ? "diverging" : "viridis"}));
   }
   fields.push(...stressMeasures(recording));
@@ -77,7 +71,7 @@ async function rangeOf(field, recording, numbers) {
     const frame = await recording.frame(number);
     const present = frame.column("blocks", "present");
     field.valuesIn(frame).forEach((value, block) => {
-      if (present[block] && Number.isFinite(value)) values.push(value);
+      if (present[block] && !isFixed(recording.blocks[block]) && Number.isFinite(value)) values.push(value);
     });
   }
   if (values.length === 0) return [0, 1];

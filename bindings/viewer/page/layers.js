@@ -39,9 +39,8 @@ class Layers {
 
   /** The force that has a bar of the usual width. */
   get usualForce() {
-    const {usual_low: low, usual_high: high} =
-      this.recording.description("contacts").find(({name}) => name === "normal_force");
-    return Math.max(Math.abs(low), Math.abs(high)) || 1;
+    const components = this.recording.description("contacts").filter(({name}) => name.startsWith("force_"));
+    return Math.max(...components.flatMap(({usual_low: low, usual_high: high}) => [Math.abs(low), Math.abs(high)])) || 1;
   }
 
   show(frame) {
@@ -60,7 +59,7 @@ class Layers {
     const present = column("present"), blockA = column("block_a"), blockB = column("block_b");
     const at = ["x", "y", "z"].slice(0, dimension).map(column);
     const force = ["force_x", "force_y", "force_z"].slice(0, dimension).map(column);
-    const normal = column("normal_force");
+    const isTension = column("is_tension");
     const usual = this.usualForce, usualWidth = 5 * this.forceScale, maxWidth = 3 * usualWidth;
     const point = [0, 0, 0], begin = [0, 0, 0], end = [0, 0, 0];
     for (let c = 0; c < count; ++c) {
@@ -78,7 +77,7 @@ class Layers {
           begin[axis] = point[axis] - half * force[axis][c];
           end[axis] = point[axis] + half * force[axis][c];
         }
-        const colour = normal[c] < 0 ? layerColours.tension : layerColours.compression;
+        const colour = isTension[c] ? layerColours.tension : layerColours.compression;
         this.bars.forces.add(begin, end, width, [...colour, 0.9]);
       }
       if (this.isShown.points) this.bars.points.add(point, point, 2, [...layerColours.point, 1]);

@@ -105,3 +105,5 @@ function readBlocks(reader, names) {
 }
 
 const kindNames = ["fixed", "prescribed", "rigid", "affine", "cell of a mesh"];
+
+const isFixed = (block) => block.kind === 0;

@@ -71,7 +71,6 @@ class Picture {
 /** The box that the first view shows: of blocks that move, without stragglers, and what is near of fixed blocks. */
 async function boxOf(recording, blockMesh) {
   const values = new Float32Array(recording.blocks.length), moving = [[], [], []], all = [[], [], []];
-  const isFixed = (block) => block.kind < 2;
   for (const number of new Set([0, recording.frameCount - 1])) {
     blockMesh.show(await recording.frame(number), values);
     for (const block of recording.blocks) {
@@ -79,7 +78,7 @@ async function boxOf(recording, blockMesh) {
       for (const vertex of blockMesh.verticesOf(block)) {
         vertex.toArray().forEach((coordinate, axis) => {
           all[axis].push(coordinate);
-          if (!isFixed(block)) moving[axis].push(coordinate);
+          if (block.kind >= 2) moving[axis].push(coordinate);
         });
       }
     }

@@ -103,11 +103,11 @@ void Recording::make_tables() {
        dimension_ == 2 ? std::vector<const char*>{"angle"} : std::vector<const char*>{"qx", "qy", "qz", "qw"})
     blocks.push_back({.name = name, .coding = Coding::lattice, .step = rotation_step});
   add_axes(nodes, "", "m", dimension_, Coding::lattice, step / 16);
-  add_axes(contacts, "", "m", dimension_, Coding::lattice, step);
+  add_axes(contacts, "", "m", dimension_, Coding::lattice, 8 * step);
   for (const char* name : {"block_a", "block_b"})
     contacts.push_back({.name = name, .coding = Coding::lattice, .step = 1});
-  add_axes(contacts, "force_", "N", dimension_, Coding::rounded);
-  contacts.push_back({.name = "normal_force", .unit = "N"});
+  add_axes(contacts, "force_", "N", dimension_, Coding::coarse);
+  contacts.push_back({.name = "is_tension", .coding = Coding::flag});
   add_axes(bolts, "a", "m", dimension_, Coding::lattice, step);
   add_axes(bolts, "b", "m", dimension_, Coding::lattice, step);
   bolts.push_back({.name = "tension", .unit = "N"});
@@ -173,7 +173,7 @@ void Recording::set_vertices(std::size_t block, const std::vector<Point>& vertic
 
 void Recording::set_value(const std::string& field, const std::string& unit, std::size_t block,
                           double value) {
-  of_blocks_.set(of_blocks_.column(field, unit), block, value);
+  of_blocks_.set(of_blocks_.column(field, unit), block, value, !is_fixed(blocks_[block].shape));
 }
 
 void Recording::set_contacts(std::vector<ContactForce> contacts) {
@@ -200,7 +200,7 @@ void Recording::set_contacts(std::vector<ContactForce> contacts) {
     set(static_cast<double>(contact.block_a));
     set(static_cast<double>(contact.block_b));
     set_point(contact.force);
-    set(contact.normal_force);
+    set(contact.normal_force < 0 ? 1 : 0);
   }
 }
 

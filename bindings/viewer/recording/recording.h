@@ -23,6 +23,7 @@ struct BlockShape {
   std::vector<std::vector<int>> faces = {};  ///< loops of vertices; 2D: one, the outline
 };
 
+inline bool is_fixed(const BlockShape& shape) { return shape.kind == 0; }
 /// True for affine blocks and cells of meshes.
 inline bool deforms(const BlockShape& shape) { return shape.kind >= 3; }
 
@@ -72,6 +73,7 @@ class Recording {
   void set_deformed(std::size_t block, const std::vector<Point>& vertices);
   /// Either of them, from the vertices and the rotation of a block, which counts if the block is rigid.
   void set_vertices(std::size_t block, const std::vector<Point>& vertices, const Quaternion& rotation);
+  /// Sets a field. Ranges of fields are those of blocks that are not fixed.
   void set_value(const std::string& field, const std::string& unit, std::size_t block, double value);
   /// Of more than max_contacts, those with the largest forces are kept.
   void set_contacts(std::vector<ContactForce> contacts);

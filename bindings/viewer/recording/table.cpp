@@ -12,6 +12,9 @@ namespace {
 
 constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_samples = 8192;
+constexpr double negligible = 1e-6;  // over the largest value so far
+
+bool is_float(Coding coding) { return coding == Coding::rounded || coding == Coding::coarse; }
 
 /// A value as the whole number that stands for it.
 std::int64_t code_of(const Column& column, double value) {
@@ -20,8 +23,10 @@ std::int64_t code_of(const Column& column, double value) {
     return std::llround(std::clamp(value / column.step, -limit, limit));
   }
   if (column.coding == Coding::flag) return std::isnan(value) ? 0 : std::llround(value);
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  return std::min<std::uint32_t>((bits + 0x8000U) >> 16, 0xffffU);
+  const int dropped = column.coding == Coding::coarse ? 19 : 16;  // of the 32 bits
+  const std::uint64_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  const std::uint64_t kept = (bits + (1ULL << (dropped - 1))) >> dropped << (dropped - 16);
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(kept, 0xffff));
 }
 
 /// The codes of all frames. Where a value is unset, a flag is 0, and another column keeps the value that it
@@ -127,12 +132,16 @@ void Table::begin_frame() {
   for (Column& column : columns_) column.frames.emplace_back();
 }
 
-void Table::set(std::size_t column, std::size_t item, double value) {
+void Table::set(std::size_t column, std::size_t item, double value, bool is_in_range) {
   std::vector<double>& frame = columns_[column].frames.back();
   item_count_ = std::max(item_count_, item + 1);
   if (frame.size() <= item) frame.resize(item + 1, unset);
   frame[item] = value;
-  ranges_[column].add(value);
+  if (is_in_range) ranges_[column].add(value);
+  // Rounding errors at rest would be most of the page.
+  const double largest = std::max(std::abs(ranges_[column].low), std::abs(ranges_[column].high));
+  if (is_float(columns_[column].coding) && std::isfinite(largest) && std::abs(value) < negligible * largest)
+    frame[item] = 0;
 }
 
 std::string Table::pack() const {
@@ -155,7 +164,7 @@ std::string Table::description() const {
     const Column& column = columns_[c];
     text += std::string(c > 0 ? "," : "") + "{\"name\":" + json(column.name) +
             ",\"unit\":" + json(column.unit) +
-            ",\"step\":" + json(column.coding == Coding::rounded ? 0.0 : column.step) +
+            ",\"step\":" + json(is_float(column.coding) ? 0.0 : column.step) +
             ",\"low\":" + json(ranges_[c].low) + ",\"high\":" + json(ranges_[c].high) +
             ",\"usual_low\":" + json(ranges_[c].quantile(0.01)) +
             ",\"usual_high\":" + json(ranges_[c].quantile(0.99)) + '}';

@@ -12,6 +12,7 @@ namespace halfspace::viewer {
 enum class Coding {
   lattice,  ///< whole multiples of a step
   rounded,  ///< bfloat16: the upper half of a float, with a relative error of at most 1/256
+  coarse,   ///< likewise, with a relative error of at most 1/32
   flag      ///< 0 unless it is set
 };
 
@@ -45,8 +46,8 @@ class Table {
   /// Adds a column, or finds it by its name.
   std::size_t column(const std::string& name, const std::string& unit);
   void begin_frame();
-  /// Sets a value of the current frame.
-  void set(std::size_t column, std::size_t item, double value);
+  /// Sets a value of the current frame, which counts for the range of the column or not.
+  void set(std::size_t column, std::size_t item, double value, bool is_in_range = true);
   std::size_t item_count() const { return item_count_; }
   const std::string& name() const { return name_; }
 
