@@ -2,7 +2,7 @@
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 set(notices eigen qhull)
 if(HALFSPACE_BUILD_CLI)
-  list(APPEND notices cli11 muparser png tomlplusplus voro++)
+  list(APPEND notices cli11 muparser png three tomlplusplus voro++ zlib)
 endif()
 list(TRANSFORM notices REPLACE "(.+)" "docs/notices/\\1.txt")
 install(FILES ${notices} DESTINATION ${CMAKE_INSTALL_DOCDIR}/notices COMPONENT documentation)

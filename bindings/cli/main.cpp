@@ -106,6 +106,14 @@ int main_of(int argc, char** argv) {
                    "Wall time between two checkpoints, as 90s, 10min or 2h; 10min by default")
       ->transform(time_with_unit())
       ->check(finite_above_zero());
+  bool views = false;
+  run_command->add_flag("--view", views, "Write the run as a page of HTML, too, as `halfspace view` does");
+  std::string viewed, view_file;
+  CLI::App* view_command =
+      app.add_subcommand("view", "Write a run as one page of HTML, which plays it in a browser");
+  view_command->add_option("directory", viewed, "The output directory of `halfspace run`")->required();
+  view_command->add_option("-o,--output", view_file,
+                           "The file to write; view.html in the directory by default");
   CLI::App* check_command = app.add_subcommand("check", "List all faults of a scene, without running it");
   add_scene(check_command, "The scene file (TOML)");
 
@@ -229,7 +237,10 @@ int main_of(int argc, char** argv) {
     if (limit_command->parsed()) return limit(file, target, limit_options);
     if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
     if (trade_command->parsed()) return trade(file, target, trade_options);
-    return run_command->parsed() ? run(file, target, run_options, from, run_result) : check(file);
+    if (view_command->parsed()) return view(viewed, view_file);
+    if (check_command->parsed()) return check(file);
+    const int code = run(file, target, run_options, from, run_result);
+    return views && run_result.figures ? std::max(code, view(target.directory, {})) : code;
   } catch (const SceneFault& fault) {
     Faults faults;
     faults.add(fault.place, fault.key, fault.what());

@@ -51,12 +51,13 @@ if(HALFSPACE_BUILD_BOX2D)
 endif()
 if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
-    CONTENT "the command halfspace, which runs scene files" COMPILED_IN cli11 tomlplusplus)
+    CONTENT "the command halfspace, which runs scene files, and its viewer" COMPILED_IN cli11 three tomlplusplus)
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)  # it has the viewer's library
 endif()
 if(HALFSPACE_BUILD_PYTHON)
   halfspace_package(python NAME python3-halfspace SECTION python ANY_MACHINE
     DEPENDS "${library} (>= ${PROJECT_VERSION}), python3 (>= 3.9), python3-numpy" CONTENT "the Python package")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, halfspace-tools")
   # Byte code comes and goes with the package.
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/bindings/python/debian/postinst
     ${PROJECT_SOURCE_DIR}/bindings/python/debian/prerm)

@@ -88,7 +88,8 @@ class OutputFiles(unittest.TestCase):
 
     def test_every_file_is_whole_and_told(self):
         answer = self.run_falling()
-        told = {"run.pvd", "checkpoint", "history.csv", "first.svg", "last.svg", "summary.txt"}
+        told = {"run.pvd", "blocks.csv", "show_in_paraview.py", "checkpoint", "history.csv", "first.svg", "last.svg",
+                "summary.txt"}
         self.assertEqual({path.name for path in self.output.iterdir()}, told | {"frames"})
         self.assertEqual({path.name for path in (self.output / "frames").iterdir()},
                          {f"frame_{k:04}.vtp" for k in range(6)})
@@ -96,6 +97,36 @@ class OutputFiles(unittest.TestCase):
             self.assertIn(str(self.output / name), answer.stdout)
         self.assertIn("(6 frames)", answer.stdout)
         self.assertTrue(answer.stdout.startswith((self.output / "summary.txt").read_text()))
+
+    def test_blocks_have_numbers_names_kinds_and_materials(self):
+        self.assertEqual(self.run_falling().returncode, 0)
+        self.assertEqual((self.output / "blocks.csv").read_text(),
+                         "number,name,kind,material_number,material\n0,falling,rigid,0,stone\n"
+                         "1,plate,fixed,0,stone\n2,lift,prescribed,0,stone\n")
+
+    def test_the_script_for_paraview_is_python(self):
+        self.assertEqual(self.run_falling().returncode, 0)
+        script = (self.output / "show_in_paraview.py").read_text()
+        compile(script, "show_in_paraview.py", "exec")
+        self.assertIn('Text(Text="A block falls onto a plate")', script)
+
+    def test_a_view_of_what_is_no_run_is_refused(self):
+        self.output.mkdir()
+        for directory, text in ((self.output, "has no run.pvd"), (self.output / "missing", "there is no directory")):
+            answer = halfspace("view", directory)
+            self.assertEqual(answer.returncode, 1)
+            self.assertIn(text, answer.stderr)
+        self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_a_damaged_frame_is_named(self):
+        self.assertEqual(self.run_falling().returncode, 0)
+        frame = self.output / "frames" / "frame_0002.vtp"
+        for content in (frame.read_bytes()[:-100], b"", b"<VTKFile/>"):
+            frame.write_bytes(content)
+            answer = halfspace("view", self.output)
+            self.assertEqual(answer.returncode, 1)
+            self.assertIn("frame_0002.vtp", answer.stderr)
+        self.assertFalse((self.output / "view.html").exists())
 
     def test_a_directory_with_files_is_not_touched_unless_forced(self):
         self.output.mkdir()

@@ -36,4 +36,7 @@ int plan(const SceneFile& file, const PlanOptions& options);
 
 int safety(const SceneFile& file, const Target& target, const SearchOptions& options, SearchResult& result);
 
+/// Writes the run in a directory as one page of HTML; to view.html in it, unless `file` is given.
+int view(const std::string& directory, const std::string& file);
+
 }  // namespace halfspace::cli

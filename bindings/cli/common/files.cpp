@@ -41,10 +41,11 @@ void remove_earlier_run(const fs::path& path) {
   const fs::path frames = path / "frames";
   if (fs::is_symlink(frames)) fs::remove(frames);
   for (const char* name :
-       {"run.pvd",     "contacts.pvd", "contacts.csv", "cracks.csv",  "bolts.csv",  "bolts.pvd",
-        "history.csv", "first.svg",    "last.svg",     "summary.txt", "safety.txt", "stands.svg",
-        "falls.svg",   "trade.csv",    "trade.txt",    "trade.svg",   "limit.txt",  "trials.csv",
-        "table.csv",   "table.svg",    "results.csv",  "joints.csv",  "checkpoint"})
+       {"run.pvd",     "contacts.pvd",        "contacts.csv", "cracks.csv",  "bolts.csv",  "bolts.pvd",
+        "history.csv", "first.svg",           "last.svg",     "summary.txt", "safety.txt", "stands.svg",
+        "falls.svg",   "trade.csv",           "trade.txt",    "trade.svg",   "limit.txt",  "trials.csv",
+        "table.csv",   "table.svg",           "results.csv",  "joints.csv",  "checkpoint", "blocks.csv",
+        "water.pvd",   "show_in_paraview.py", "view.html"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(path, "stage_", ".svg");
@@ -52,6 +53,7 @@ void remove_earlier_run(const fs::path& path) {
   remove_numbered(frames, "frame_", ".vtp");
   remove_numbered(frames, "contacts_", ".vtp");
   remove_numbered(frames, "bolts_", ".vtp");
+  remove_numbered(frames, "water_", ".vtp");
   if (!fs::is_directory(path / "runs")) return;
   for (const fs::directory_entry& run : fs::directory_iterator(path / "runs"))
     if (run.is_directory() && !run.is_symlink()) remove_earlier_run(run.path());
@@ -82,6 +84,7 @@ std::string content_of(const std::string& file) {
 std::string frame_name(int number) { return numbered("frames/frame_", number); }
 std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
 std::string bolts_name(int number) { return numbered("frames/bolts_", number); }
+std::string water_name(int number) { return numbered("frames/water_", number); }
 
 std::string stage_checkpoint_name(std::size_t stage) {
   return "stage_" + std::to_string(stage) + ".checkpoint";
@@ -105,7 +108,7 @@ void OutputDirectory::remove_frames_from(int number) {
   for (;; ++number) {
     const fs::path frame = path_ / frame_name(number);
     std::error_code error;
-    for (const std::string& name : {contacts_name(number), bolts_name(number)}) {
+    for (const std::string& name : {contacts_name(number), bolts_name(number), water_name(number)}) {
       fs::remove(path_ / name, error);
       fs::remove(path_ / (name + ".part"), error);
     }

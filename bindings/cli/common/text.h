@@ -40,6 +40,14 @@ std::string joined(const Texts& texts) {
   return text;
 }
 
+/// A text as a value of a CSV file, in quotes where it needs them (RFC 4180).
+inline std::string csv_value(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 /// A line of a report: a name, and a text that begins at a column.
 inline std::string report_line(const std::string& name, const std::string& text, std::size_t column = 20) {
   return padded(name, column) + text + '\n';

@@ -27,14 +27,6 @@ std::vector<const char*> columns_of_point(int dimension) {
   return {".x", ".y", ".z", ".ux", ".uy", ".uz", ".vx", ".vy", ".vz"};
 }
 
-/// A text as a value of a CSV file, in quotes where it needs them (RFC 4180).
-std::string csv_value(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::vector<double> motion_of_block(const hs_block_state& state, int dimension) {
   const auto& [x, y, z] = state.pose.position;
   const auto& [vx, vy, vz] = state.velocity;

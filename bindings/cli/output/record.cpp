@@ -6,6 +6,7 @@
 
 #include "common/text.h"
 #include "output/joints.h"
+#include "output/paraview.h"
 #include "output/picture/picture.h"
 #include "output/tables.h"
 
@@ -60,7 +61,7 @@ Record::Record(const Scene& scene, const Model& model, OutputDirectory& director
     : scene_(scene),
       model_(model),
       directory_(directory),
-      series_(model.layout(), scene.output.contacts, !scene.bolts.empty(), directory),
+      series_(model.layout(), scene, directory),
       history_(scene, model),
       bolts_(scene.world.dimension),
       origins_{model.frame()},
@@ -207,7 +208,14 @@ void Record::save_tables() {
   if (!scene_.bonds.empty()) directory_.write("cracks.csv", cracks_table(model_));
 }
 
+void Record::save_descriptions() {
+  directory_.write("blocks.csv", blocks_table(scene_, model_.layout()));
+  directory_.write("show_in_paraview.py", paraview_script(scene_));
+  has_descriptions_ = true;
+}
+
 void Record::add_frame() {
+  if (!has_descriptions_) save_descriptions();
   const Frame frame = model_.frame();
   series_.add(frame, origins_.back());
   stage_.add(frame);

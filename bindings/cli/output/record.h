@@ -74,6 +74,8 @@ class Record {
   void add_row();
   void add_picture();
   void save_tables();
+  /// Writes the files that remain the same during a run.
+  void save_descriptions();
 
   const Scene& scene_;
   const Model& model_;
@@ -93,6 +95,7 @@ class Record {
     std::size_t origin = 0;
   };
   std::vector<StagePicture> of_stages_;
+  bool has_descriptions_ = false;
   Every frames_;
   Every rows_;
   std::int64_t last_row_step_ = 0;

@@ -18,6 +18,18 @@ std::string columns(const std::string& name, int dimension) {
 
 }  // namespace
 
+std::string blocks_table(const Scene& scene, const Layout& layout) {
+  constexpr const char* kinds[] = {"fixed", "prescribed", "rigid", "affine", "mesh"};
+  std::string text = "number,name,kind,material_number,material\n";
+  for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
+    const LayoutBlock& block = layout.blocks[i];
+    text += std::to_string(i) + ',' + csv_value(block.name) + ',' + kinds[block.kind] + ',' +
+            std::to_string(block.material) + ',' +
+            csv_value(scene.materials[static_cast<std::size_t>(block.material)].name) + '\n';
+  }
+  return text;
+}
+
 std::string contacts_table(const Layout& layout, const Frame& frame) {
   const int dimension = layout.dimension;
   std::string text = "block_a,block_b,gap,area" + columns("", dimension) + columns("normal_", dimension) +

@@ -6,6 +6,9 @@
 
 namespace halfspace::cli {
 
+/// blocks.csv: the number, name, kind and material of each block.
+std::string blocks_table(const Scene& scene, const Layout& layout);
+
 /// contacts.csv: a row for each contact of a frame.
 std::string contacts_table(const Layout& layout, const Frame& frame);
 

@@ -1,5 +1,9 @@
 #include "output/vtk_series.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "common/vector.h"
 #include "output/vtk_file.h"
 
 namespace halfspace::cli {
@@ -41,6 +45,32 @@ void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start,
   cells.integers = {block, kind, material};
   cells.arrays = {velocity, displacement, rotation, spin, force};
   if (layout.has_deformable()) cells.arrays.insert(cells.arrays.end(), {stress, strain});
+}
+
+/// The water table over the extent of the blocks. It continues level beyond the ends of a polyline.
+std::vector<Point> water_corners(int dimension, const Frame& frame) {
+  std::vector<Point> table = frame.water;
+  if (table.empty()) return table;
+  Point low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const BlockFrame& block : frame.blocks) {
+    for (const Point& p : block.vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+      }
+    }
+  }
+  if (dimension == 2) {
+    table.insert(table.begin(), {std::min(low[0], table.front()[0]), table.front()[1], 0});
+    table.push_back({std::max(high[0], table.back()[0]), table.back()[1], 0});
+    return table;
+  }
+  const Point normal =
+      table.size() < 3 ? Point{0, 0, 1} : cross(minus(table[1], table[0]), minus(table[2], table[0]));
+  std::vector<Point> corners = {
+      {low[0], low[1], 0}, {high[0], low[1], 0}, {high[0], high[1], 0}, {low[0], high[1], 0}};
+  for (Point& corner : corners) corner[2] = -dot(normal, minus(corner, table[0])) / normal[2];
+  return corners;
 }
 
 }  // namespace
@@ -106,35 +136,44 @@ std::string vtk_bolts(const Frame& frame) {
   return vtk_text(cells);
 }
 
+std::string vtk_water(int dimension, const Frame& frame) {
+  VtkCells cells{.kind = dimension == 2 ? "Lines" : "Polys", .time = frame.time};
+  const std::vector<Point> corners = water_corners(dimension, frame);
+  for (const Point& p : corners) {
+    cells.connectivity.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    cells.points.insert(cells.points.end(), p.begin(), p.end());
+  }
+  if (!corners.empty()) cells.offsets.push_back(static_cast<std::int64_t>(corners.size()));
+  return vtk_text(cells);
+}
+
 void VtkSeries::add_to(Archive& archive, bool has_frames) {
   archive.add(entries_);
   archive.add(contact_entries_);
   archive.add(bolt_entries_);
+  archive.add(water_entries_);
   archive.add(count_);
   archive.require(count_ >= 0 && count_ <= max_frames, "invalid number of frames");
   if (has_frames) return;
   entries_.clear();
   contact_entries_.clear();
   bolt_entries_.clear();
+  water_entries_.clear();
 }
 
 void VtkSeries::add(const Frame& frame, const Frame& start) {
-  const std::string name = frame_name(count_);
-  directory_.write(name, vtk_polygons(layout_, frame, start));
-  entries_ += vtk_entry(frame.time, name);
-  directory_.write("run.pvd", vtk_collection(entries_));
-  if (has_contacts_) {
-    const std::string of_contacts = contacts_name(count_);
-    directory_.write(of_contacts, vtk_contacts(frame));
-    contact_entries_ += vtk_entry(frame.time, of_contacts);
-    directory_.write("contacts.pvd", vtk_collection(contact_entries_));
-  }
-  if (has_bolts_) {
-    const std::string of_bolts = bolts_name(count_);
-    directory_.write(of_bolts, vtk_bolts(frame));
-    bolt_entries_ += vtk_entry(frame.time, of_bolts);
-    directory_.write("bolts.pvd", vtk_collection(bolt_entries_));
-  }
+  const auto write = [&](const std::string& name, const std::string& text, std::string& entries,
+                         const char* collection) {
+    directory_.write(name, text);
+    entries += vtk_entry(frame.time, name);
+    directory_.write(collection, vtk_collection(entries));
+  };
+  write(frame_name(count_), vtk_polygons(layout_, frame, start), entries_, "run.pvd");
+  if (scene_.output.contacts)
+    write(contacts_name(count_), vtk_contacts(frame), contact_entries_, "contacts.pvd");
+  if (!scene_.bolts.empty()) write(bolts_name(count_), vtk_bolts(frame), bolt_entries_, "bolts.pvd");
+  if (has_water(scene_))
+    write(water_name(count_), vtk_water(layout_.dimension, frame), water_entries_, "water.pvd");
   ++count_;
 }
 

@@ -19,12 +19,16 @@ std::string vtk_contacts(const Frame& frame);
 /// The bolts of a frame as lines of VTK XML PolyData, with tension and elongation.
 std::string vtk_bolts(const Frame& frame);
 
+/// The water table of a frame as VTK XML PolyData over the extent of the blocks: a line in 2D, a polygon in
+/// 3D.
+std::string vtk_water(int dimension, const Frame& frame);
+
 /// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times; with
-/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd, and likewise with bolts.
+/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd, and likewise with bolts and water.
 class VtkSeries {
  public:
-  VtkSeries(const Layout& layout, bool has_contacts, bool has_bolts, OutputDirectory& directory)
-      : layout_(layout), has_contacts_(has_contacts), has_bolts_(has_bolts), directory_(directory) {}
+  VtkSeries(const Layout& layout, const Scene& scene, OutputDirectory& directory)
+      : layout_(layout), scene_(scene), directory_(directory) {}
   void add(const Frame& frame, const Frame& start);
   /// After reading, earlier frames are listed only if they are in the directory.
   void add_to(Archive& archive, bool has_frames);
@@ -32,12 +36,12 @@ class VtkSeries {
 
  private:
   const Layout& layout_;
-  bool has_contacts_;
-  bool has_bolts_;
+  const Scene& scene_;
   OutputDirectory& directory_;
   std::string entries_;
   std::string contact_entries_;
   std::string bolt_entries_;
+  std::string water_entries_;
   int count_ = 0;
 };
 

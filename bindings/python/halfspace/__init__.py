@@ -68,7 +68,9 @@ from .records import (
     STRENGTH_REPORT,
     WORLD_REPORT,
 )
+from .recording import Recording
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
+from .page import View, view
 from .world import World
 
 __version__ = version()
@@ -116,6 +118,7 @@ __all__ = [
     "PairCache",
     "PairKind",
     "Plane",
+    "Recording",
     "Shape",
     "StaleIdError",
     "StateError",
@@ -123,6 +126,7 @@ __all__ = [
     "TooFastError",
     "Unbalanced",
     "UnstableError",
+    "View",
     "World",
     "WorldPart",
     "check_polygon",
@@ -136,4 +140,5 @@ __all__ = [
     "pose",
     "status_text",
     "version",
+    "view",
 ]

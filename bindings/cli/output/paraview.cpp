@@ -1,0 +1,87 @@
+#include "output/paraview.h"
+
+namespace halfspace::cli {
+namespace {
+
+/// A text as a string of Python.
+std::string python(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+constexpr const char* begin_of_script =
+    R"(# Shows the run in ParaView: paraview --script=show_in_paraview.py, or File > Load State.
+import os
+
+from paraview.simple import *
+
+try:
+    folder = os.path.dirname(os.path.abspath(__file__))
+except NameError:  # by File > Load State or --script
+    folder = os.getcwd()
+
+
+def series(name):
+    return PVDReader(registrationName=name, FileName=os.path.join(folder, name))
+
+
+view = GetActiveViewOrCreate("RenderView")
+blocks = series("run.pvd")
+animation = GetAnimationScene()
+animation.UpdateAnimationUsingDataTimeSteps()
+shown = Show(blocks, view)
+shown.Representation = "Surface With Edges"
+ColorBy(shown, ("CELLS", "displacement", "Magnitude"))
+shown.RescaleTransferFunctionToDataRangeOverTime()
+shown.SetScalarBarVisibility(view, True)
+)";
+
+constexpr const char* contacts_in_script = R"(
+# A line along each contact force, as long as the force; the largest one at the end is a tenth of the picture.
+contacts = CellCenters(Input=series("contacts.pvd"))
+contacts.UpdatePipeline(animation.EndTime)
+force = contacts.PointData["force"]
+largest = force.GetRange(-1)[1] if force and force.GetRange(-1)[1] > 0 else 1
+forces = Glyph(registrationName="contact forces", Input=contacts, GlyphType="Line")
+forces.OrientationArray = ["POINTS", "force"]
+forces.ScaleArray = ["POINTS", "force"]
+forces.GlyphMode = "All Points"
+extent = blocks.GetDataInformation().GetBounds()
+forces.ScaleFactor = 0.1 * max(extent[1] - extent[0], extent[3] - extent[2]) / largest
+shown = Show(forces, view)
+ColorBy(shown, ("POINTS", "force", "Magnitude"))
+shown.LineWidth = 2
+)";
+
+constexpr const char* bolts_in_script = R"(
+shown = Show(series("bolts.pvd"), view)
+ColorBy(shown, ("CELLS", "tension"))
+shown.LineWidth = 4
+)";
+
+constexpr const char* water_in_script = R"(
+shown = Show(series("water.pvd"), view)
+ColorBy(shown, None)
+shown.DiffuseColor = shown.AmbientColor = [0.2, 0.5, 0.95]
+shown.Opacity = 0.5
+shown.LineWidth = 2
+)";
+
+}  // namespace
+
+std::string paraview_script(const Scene& scene) {
+  std::string script = begin_of_script;
+  if (scene.output.contacts) script += contacts_in_script;
+  if (!scene.bolts.empty()) script += bolts_in_script;
+  if (has_water(scene)) script += water_in_script;
+  script += "\ntitle = Text(Text=" + python(scene.title) + ")\nShow(title, view)\n";
+  script += scene.world.dimension == 2 ? "view.InteractionMode = \"2D\"\nview.ResetCamera()\n"
+                                       : "view.ApplyIsometricView()\nview.ResetCamera()\n";
+  return script + "Render()\n";
+}
+
+}  // namespace halfspace::cli

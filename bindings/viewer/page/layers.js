@@ -1,0 +1,199 @@
+"use strict";
+
+// What is shown besides the blocks: contact forces and points, cracks, bolts, the water table.
+
+const layerColours = {
+  compression: [0.93, 0.36, 0.2], tension: [0.2, 0.5, 0.95], point: [0.98, 0.78, 0.2], bolt: [0.15, 0.72, 0.62],
+  ruptured: [0.85, 0.2, 0.35], tensileCrack: [0.88, 0.13, 0.25], shearCrack: [0.6, 0.25, 0.8], water: [0.2, 0.55, 0.95],
+};
+
+class Layers {
+  constructor(recording, blockMesh) {
+    this.recording = recording;
+    this.blockMesh = blockMesh;
+    const isInFront = recording.dimension === 3;
+    this.bars = {forces: new Bars(isInFront), points: new Bars(isInFront), bolts: new Bars(isInFront), cracks: new Bars(false),
+      water: new Bars(false)};
+    this.group = new THREE.Group();
+    for (const {mesh} of Object.values(this.bars)) this.group.add(mesh);
+    this.group.children.forEach((mesh, index) => { mesh.renderOrder = 1 + index; });
+    this.waterSurface = waterSurface();
+    this.group.add(this.waterSurface);
+    this.isShown = {forces: false, points: false, bolts: true, cracks: true, water: true};
+    this.forceScale = 1;
+    this.thicknesses = recording.blocks.map(thicknessOf);
+    this.cracks = recording.cracks.map((crack) => ({...crack, local: null}));
+  }
+
+  /** The names of the layers that the recording has. */
+  available() {
+    const {recording} = this;
+    const has = (table) => Number.isFinite(recording.description(table)[1].low);
+    return [
+      ...(has("contacts") ? ["forces", "points"] : []),
+      ...(has("bolts") ? ["bolts"] : []),
+      ...(recording.cracks.length > 0 ? ["cracks"] : []),
+      ...(recording.water.length > 0 ? ["water"] : []),
+    ];
+  }
+
+  /** The force that has a bar of the usual width. */
+  get usualForce() {
+    const components = this.recording.description("contacts").filter(({name}) => name.startsWith("force_"));
+    return Math.max(...components.flatMap(({usual_low: low, usual_high: high}) => [Math.abs(low), Math.abs(high)])) || 1;
+  }
+
+  show(frame) {
+    for (const bars of Object.values(this.bars)) bars.clear();
+    if (this.isShown.forces || this.isShown.points) this.addContacts(frame);
+    if (this.isShown.bolts) this.addBolts(frame);
+    if (this.isShown.cracks) this.addCracks(frame);
+    this.showWater(frame);
+    for (const bars of Object.values(this.bars)) bars.commit();
+  }
+
+  addContacts(frame) {
+    const count = frame.count("contacts"), {dimension} = this.recording;
+    if (count === 0) return;
+    const column = (name) => frame.column("contacts", name);
+    const present = column("present"), blockA = column("block_a"), blockB = column("block_b");
+    const at = ["x", "y", "z"].slice(0, dimension).map(column);
+    const force = ["force_x", "force_y", "force_z"].slice(0, dimension).map(column);
+    const isTension = column("is_tension");
+    const usual = this.usualForce, usualWidth = 5 * this.forceScale, maxWidth = 3 * usualWidth;
+    const point = [0, 0, 0], begin = [0, 0, 0], end = [0, 0, 0];
+    for (let c = 0; c < count; ++c) {
+      if (present[c] === 0) continue;
+      let size = 0;
+      for (let axis = 0; axis < dimension; ++axis) {
+        point[axis] = at[axis][c];
+        size += force[axis][c] ** 2;
+      }
+      size = Math.sqrt(size);
+      const width = Math.min((usualWidth * size) / usual, maxWidth);
+      if (this.isShown.forces && width > 0.15) {
+        const half = 0.5 * Math.min(this.thicknesses[blockA[c]], this.thicknesses[blockB[c]]) / size;
+        for (let axis = 0; axis < dimension; ++axis) {
+          begin[axis] = point[axis] - half * force[axis][c];
+          end[axis] = point[axis] + half * force[axis][c];
+        }
+        const colour = isTension[c] ? layerColours.tension : layerColours.compression;
+        this.bars.forces.add(begin, end, width, [...colour, 0.9]);
+      }
+      if (this.isShown.points) this.bars.points.add(point, point, 2, [...layerColours.point, 1]);
+    }
+  }
+
+  addBolts(frame) {
+    const count = frame.count("bolts"), {dimension} = this.recording;
+    if (count === 0) return;
+    const column = (name) => frame.column("bolts", name);
+    const axes = ["x", "y", "z"].slice(0, dimension);
+    const ends = ["a", "b"].map((end) => axes.map((axis) => column(end + axis)));
+    const present = column("present"), ruptured = column("is_ruptured");
+    for (let bolt = 0; bolt < count; ++bolt) {
+      if (present[bolt] === 0) continue;
+      const [begin, end] = ends.map((coordinates) => [0, 1, 2].map((axis) => coordinates[axis]?.[bolt] ?? 0));
+      const colour = ruptured[bolt] ? layerColours.ruptured : layerColours.bolt;
+      this.bars.bolts.add(begin, end, ruptured[bolt] ? 1 : 2, [...colour, 1]);
+    }
+  }
+
+  /** Cracks that are there, where the block that carries them is now. */
+  addCracks(frame) {
+    for (const crack of this.cracks) {
+      if (crack.time > frame.time || !crack.local) continue;
+      const {place, rotation, isPresent} = this.blockMesh.pose(crack.block);
+      if (!isPresent) continue;
+      const [begin, end] = crack.local.map((local) => local.clone().applyQuaternion(rotation).add(place).toArray());
+      const colour = crack.is_shear ? layerColours.shearCrack : layerColours.tensileCrack;
+      this.bars.cracks.add(begin, end, 1.5, [...colour, 1]);
+    }
+  }
+
+  /** Places the cracks in the frames of their blocks, by the frame at or before the time of each. */
+  async placeCracks() {
+    const {recording, blockMesh} = this;
+    const nothing = new Float32Array(recording.blocks.length);
+    for (const crack of this.cracks) {
+      const number = recording.frameAt(crack.time);
+      if (number !== this.placedAt) blockMesh.show(await recording.frame(number), nothing);
+      this.placedAt = number;
+      const {place, rotation} = blockMesh.pose(crack.block);
+      const middle = new THREE.Vector3(...crack.position).sub(place);
+      const normal = new THREE.Vector3(...crack.normal);
+      const along = recording.dimension === 2 ? new THREE.Vector3(-normal.y, normal.x, 0) : anyAcross(normal);
+      const half = 0.5 * (recording.dimension === 2 ? crack.area : Math.sqrt(crack.area));
+      const back = rotation.clone().conjugate();
+      crack.local = [-half, half].map((offset) => middle.clone().addScaledVector(along, offset).applyQuaternion(back));
+    }
+  }
+
+  showWater(frame) {
+    const now = this.recording.water.filter((water) => water.frame <= frame.number).pop();
+    const corners = this.isShown.water && now ? now.corners : [];
+    this.waterSurface.visible = false;
+    const colour = [...layerColours.water, 1];
+    for (let i = 0; i + 1 < corners.length; ++i) this.bars.water.add(corners[i], corners[i + 1], 1.5, colour);
+    if (this.recording.dimension === 2 || corners.length === 0) return;
+    if (corners.length > 2) this.bars.water.add(corners[corners.length - 1], corners[0], 1.5, colour);
+    this.waterSurface.visible = true;
+    setWaterCorners(this.waterSurface, corners);
+  }
+
+  /** The forces of all contacts of a block in a frame, largest first. */
+  contactsOf(block, frame) {
+    const count = frame.count("contacts"), {dimension} = this.recording, contacts = [];
+    if (count === 0) return contacts;
+    const column = (name) => frame.column("contacts", name);
+    const [present, a, b] = ["present", "block_a", "block_b"].map(column);
+    const force = ["force_x", "force_y", "force_z"].slice(0, dimension).map(column);
+    for (let c = 0; c < count; ++c) {
+      if (present[c] === 0 || (a[c] !== block && b[c] !== block)) continue;
+      contacts.push({other: a[c] === block ? b[c] : a[c], force: Math.hypot(...force.map((values) => values[c]))});
+    }
+    return contacts.sort((one, two) => two.force - one.force);
+  }
+
+  setViewport(width, height) {
+    for (const {material} of Object.values(this.bars)) material.uniforms.viewport.value.set(width, height);
+  }
+
+  setSection(plane) {
+    for (const {material} of Object.values(this.bars)) {
+      material.uniforms.hasSection.value = plane !== null;
+      if (plane) material.uniforms.section.value.copy(plane);
+    }
+  }
+}
+
+/** The smallest extent of a block along an axis. */
+function thicknessOf({vertices, vertexCount}) {
+  const extents = [0, 1, 2].map((axis) => {
+    let low = Infinity, high = -Infinity;
+    for (let v = 0; v < vertexCount; ++v) {
+      low = Math.min(low, vertices[3 * v + axis]);
+      high = Math.max(high, vertices[3 * v + axis]);
+    }
+    return high - low;
+  });
+  return Math.min(...extents.filter((extent) => extent > 0));
+}
+
+function anyAcross(normal) {
+  const other = Math.abs(normal.x) < 0.7 ? new THREE.Vector3(1, 0, 0) : new THREE.Vector3(0, 1, 0);
+  return other.cross(normal).normalize();
+}
+
+function waterSurface() {
+  const material = new THREE.MeshBasicMaterial({color: new THREE.Color(...layerColours.water), transparent: true,
+    opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});
+  const mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+function setWaterCorners(mesh, corners) {
+  mesh.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(corners.flat()), 3));
+  mesh.geometry.setIndex(corners.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace halfspace::viewer {
+
+/// The bytes as a zlib stream, which DecompressionStream("deflate") of a browser reads.
+std::string deflated(const std::string& bytes);
+
+std::string base64(const std::string& bytes);
+
+/// A text as a JSON string, with its quotes.
+std::string json(const std::string& text);
+
+/// A number as JSON; null if it is not finite.
+std::string json(double value);
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,233 @@
+#include "recording/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "recording/encoding.h"
+
+namespace halfspace::viewer {
+namespace {
+
+/// The columns of a block and of a contact that stand at a fixed place.
+constexpr std::size_t present = 0, first_coordinate = 1;
+
+constexpr double rotation_step = 0x1p-12;
+constexpr double positions_per_size = 2048;  // of a block
+constexpr std::size_t max_frames_per_group = 32, values_per_group = 400000;
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+/// A column for each axis.
+void add_axes(std::vector<Column>& columns, const std::string& name, const char* unit, int dimension,
+              Coding coding, double step = 1) {
+  for (int axis = 0; axis < dimension; ++axis)
+    columns.push_back({.name = name + axes[axis], .unit = unit, .coding = coding, .step = step});
+}
+
+/// The vector rotated by a unit quaternion.
+Point rotated(const Quaternion& q, const Point& v) {
+  const auto cross = [](const Point& a, const Point& b) {
+    return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const Point axis = {q[0], q[1], q[2]};
+  const Point once = cross(axis, v), twice = cross(axis, once);
+  Point result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = v[i] + 2 * (q[3] * once[i] + twice[i]);
+  return result;
+}
+
+Quaternion inverse(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
+
+/// The larger one of the extents along the axes.
+double size_of(const std::vector<Point>& vertices) {
+  double size = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        vertices.begin(), vertices.end(), [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
+    if (low != vertices.end()) size = std::max(size, (*high)[axis] - (*low)[axis]);
+  }
+  return size;
+}
+
+Point mean_of(const std::vector<Point>& points) {
+  Point mean{};
+  for (const Point& p : points)
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += p[axis] / static_cast<double>(points.size());
+  return mean;
+}
+
+double square(const Point& vector) {
+  return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+}
+
+}  // namespace
+
+Recording::Recording(int dimension, std::string title)
+    : dimension_(dimension),
+      title_(std::move(title)),
+      of_blocks_("blocks", {}),
+      of_nodes_("nodes", {}),
+      of_contacts_("contacts", {}),
+      of_bolts_("bolts", {}) {}
+
+std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
+  Block block;
+  block.shape = std::move(shape);
+  block.rotation = pose.rotation;
+  for (Point& vertex : block.shape.vertices) {
+    for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] -= pose.position[axis];
+    vertex = rotated(inverse(pose.rotation), vertex);
+  }
+  if (deforms(block.shape)) {
+    block.first_node = static_cast<int>(node_count_);
+    node_count_ += block.shape.vertices.size();
+  }
+  blocks_.push_back(std::move(block));
+  return blocks_.size() - 1;
+}
+
+/// The steps of positions follow from the size of the smaller blocks.
+void Recording::make_tables() {
+  std::vector<double> sizes;
+  for (const Block& block : blocks_) sizes.push_back(size_of(block.shape.vertices));
+  std::sort(sizes.begin(), sizes.end());
+  const double size = sizes.empty() ? 0 : sizes[sizes.size() / 10];
+  const double step = std::exp2(std::floor(std::log2((size > 0 ? size : 1) / positions_per_size)));
+  std::vector<Column> blocks = {{.name = "present", .coding = Coding::flag}};
+  std::vector<Column> nodes, contacts = blocks, bolts = blocks;
+  add_axes(blocks, "", "m", dimension_, Coding::lattice, step);
+  for (const char* name :
+       dimension_ == 2 ? std::vector<const char*>{"angle"} : std::vector<const char*>{"qx", "qy", "qz", "qw"})
+    blocks.push_back({.name = name, .coding = Coding::lattice, .step = rotation_step});
+  add_axes(nodes, "", "m", dimension_, Coding::lattice, step / 16);
+  add_axes(contacts, "", "m", dimension_, Coding::lattice, 8 * step);
+  for (const char* name : {"block_a", "block_b"})
+    contacts.push_back({.name = name, .coding = Coding::lattice, .step = 1});
+  add_axes(contacts, "force_", "N", dimension_, Coding::coarse);
+  contacts.push_back({.name = "is_tension", .coding = Coding::flag});
+  add_axes(bolts, "a", "m", dimension_, Coding::lattice, step);
+  add_axes(bolts, "b", "m", dimension_, Coding::lattice, step);
+  bolts.push_back({.name = "tension", .unit = "N"});
+  bolts.push_back({.name = "is_ruptured", .coding = Coding::flag});
+  of_blocks_ = Table("blocks", std::move(blocks));
+  of_nodes_ = Table("nodes", std::move(nodes));
+  of_contacts_ = Table("contacts", std::move(contacts));
+  of_bolts_ = Table("bolts", std::move(bolts));
+  frames_per_group_ =
+      std::clamp<std::size_t>(values_per_group / (blocks_.size() + node_count_ + 1), 4, max_frames_per_group);
+}
+
+void Recording::add_frame(double time) {
+  if (times_.empty()) make_tables();
+  if (frames_in_group_ == frames_per_group_) pack_group();
+  times_.push_back(time);
+  ++frames_in_group_;
+  for (Table* table : {&of_blocks_, &of_nodes_, &of_contacts_, &of_bolts_}) table->begin_frame();
+}
+
+void Recording::set_rigid(std::size_t block, const Pose& pose) {
+  of_blocks_.set(present, block, 1);
+  std::size_t column = first_coordinate;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
+    of_blocks_.set(column++, block, pose.position[axis]);
+  Quaternion& before = blocks_[block].rotation;
+  Quaternion now = pose.rotation;
+  if (dimension_ == 2) {
+    // The turn nearest to the angle before, which is kept in place of the quaternion's first component.
+    const double angle = 2 * std::atan2(now[2], now[3]), turn = 2 * std::numbers::pi;
+    before[0] = angle + turn * std::round((before[0] - angle) / turn);
+    of_blocks_.set(column, block, before[0]);
+    return;
+  }
+  double cosine = 0;
+  for (std::size_t i = 0; i < 4; ++i) cosine += before[i] * now[i];
+  for (std::size_t i = 0; i < 4; ++i) {
+    before[i] = cosine < 0 ? -now[i] : now[i];
+    of_blocks_.set(column++, block, before[i]);
+  }
+}
+
+void Recording::set_deformed(std::size_t block, const std::vector<Point>& vertices) {
+  set_rigid(block, {.position = mean_of(vertices)});
+  const auto first = static_cast<std::size_t>(blocks_[block].first_node);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
+      of_nodes_.set(axis, first + i, vertices[i][axis]);
+}
+
+void Recording::set_vertices(std::size_t block, const std::vector<Point>& vertices,
+                             const Quaternion& rotation) {
+  const std::vector<Point>& at_start = blocks_[block].shape.vertices;
+  if (vertices.size() != at_start.size())
+    throw std::runtime_error("block " + std::to_string(block) + " has " + std::to_string(vertices.size()) +
+                             " vertices in a frame, and " + std::to_string(at_start.size()) +
+                             " in the first one");
+  if (blocks_[block].first_node >= 0) return set_deformed(block, vertices);
+  const Point now = mean_of(vertices), from_centroid = rotated(rotation, mean_of(at_start));
+  set_rigid(block,
+            {{now[0] - from_centroid[0], now[1] - from_centroid[1], now[2] - from_centroid[2]}, rotation});
+}
+
+void Recording::set_value(const std::string& field, const std::string& unit, std::size_t block,
+                          double value) {
+  of_blocks_.set(of_blocks_.column(field, unit), block, value, !is_fixed(blocks_[block].shape));
+}
+
+void Recording::set_contacts(std::vector<ContactForce> contacts) {
+  if (contacts.size() > max_contacts) {
+    left_out_contacts_ = std::max(left_out_contacts_, contacts.size() - max_contacts);
+    std::nth_element(
+        contacts.begin(), contacts.begin() + max_contacts, contacts.end(),
+        [](const ContactForce& a, const ContactForce& b) { return square(a.force) > square(b.force); });
+    contacts.resize(max_contacts);
+  }
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> count_of_pair;
+  for (const ContactForce& contact : contacts) {
+    const std::size_t ordinal = count_of_pair[{contact.block_a, contact.block_b}]++;
+    const auto [found, is_new] =
+        contact_items_.try_emplace({contact.block_a, contact.block_b, ordinal}, contact_items_.size());
+    const std::size_t item = found->second;
+    std::size_t column = present;
+    const auto set = [&](double value) { of_contacts_.set(column++, item, value); };
+    const auto set_point = [&](const Point& point) {
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) set(point[axis]);
+    };
+    set(1);
+    set_point(contact.point);
+    set(static_cast<double>(contact.block_a));
+    set(static_cast<double>(contact.block_b));
+    set_point(contact.force);
+    set(contact.normal_force < 0 ? 1 : 0);
+  }
+}
+
+void Recording::set_bolt(const BoltForce& bolt) {
+  std::size_t column = present;
+  const auto set = [&](double value) { of_bolts_.set(column++, bolt.number, value); };
+  set(1);
+  for (const Point& place : {bolt.place_a, bolt.place_b})
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) set(place[axis]);
+  set(bolt.tension);
+  set(bolt.is_ruptured ? 1 : 0);
+}
+
+void Recording::set_water(const std::vector<Point>& corners) {
+  if (water_.empty() ? corners.empty() : water_.back().corners == corners) return;
+  water_.push_back({times_.size() - 1, corners});
+}
+
+void Recording::pack_group() {
+  std::string bytes(1, static_cast<char>(frames_in_group_));
+  for (Table* table : {&of_blocks_, &of_nodes_, &of_contacts_, &of_bolts_}) {
+    bytes += table->pack();
+    table->clear(table != &of_contacts_);
+  }
+  contact_items_.clear();
+  groups_.push_back(base64(deflated(bytes)));
+  frames_in_group_ = 0;
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,175 @@
+#include "recording/table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "recording/encoding.h"
+
+namespace halfspace::viewer {
+namespace {
+
+constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t max_samples = 8192;
+constexpr double negligible = 1e-6;  // over the largest value so far
+
+bool is_float(Coding coding) { return coding == Coding::rounded || coding == Coding::coarse; }
+
+/// A value as the whole number that stands for it.
+std::int64_t code_of(const Column& column, double value) {
+  if (column.coding == Coding::lattice) {
+    constexpr double limit = 1U << 30;
+    return std::llround(std::clamp(value / column.step, -limit, limit));
+  }
+  if (column.coding == Coding::flag) return std::isnan(value) ? 0 : std::llround(value);
+  const int dropped = column.coding == Coding::coarse ? 19 : 16;  // of the 32 bits
+  const std::uint64_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  const std::uint64_t kept = (bits + (1ULL << (dropped - 1))) >> dropped << (dropped - 16);
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(kept, 0xffff));
+}
+
+/// The codes of all frames. Where a value is unset, a flag is 0, and another column keeps the value that it
+/// has before or, ahead of the first one, afterwards.
+std::vector<std::vector<std::int64_t>> codes_of(const Column& column, std::size_t item_count) {
+  std::vector<std::vector<std::int64_t>> codes(column.frames.size(), std::vector<std::int64_t>(item_count));
+  for (std::size_t item = 0; item < item_count; ++item) {
+    const auto value_at = [&](std::size_t f) {
+      return item < column.frames[f].size() ? column.frames[f][item] : unset;
+    };
+    std::int64_t code = 0;
+    for (std::size_t f = 0; f < codes.size(); ++f) {
+      if (std::isnan(value_at(f))) continue;
+      code = code_of(column, value_at(f));
+      break;
+    }
+    for (std::size_t f = 0; f < codes.size(); ++f) {
+      if (column.coding == Coding::flag || !std::isnan(value_at(f))) code = code_of(column, value_at(f));
+      codes[f][item] = code;
+    }
+  }
+  return codes;
+}
+
+/// The differences between consecutive frames; the first frame remains.
+void take_differences(std::vector<std::vector<std::int64_t>>& frames) {
+  for (std::size_t f = frames.size(); f-- > 1;)
+    for (std::size_t i = 0; i < frames[f].size(); ++i) frames[f][i] -= frames[f - 1][i];
+}
+
+/// Small for numbers near 0 of either sign.
+std::uint64_t zigzag(std::int64_t value) {
+  return static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+}
+
+/// The number of binary digits of all values: a measure of their size when compressed.
+double digits_of(const std::vector<std::vector<std::int64_t>>& frames) {
+  double sum = 0;
+  for (const auto& frame : frames)
+    for (const std::int64_t value : frame) sum += static_cast<double>(std::bit_width(zigzag(value)));
+  return sum;
+}
+
+/// The number of differences taken, the bytes per number, then the numbers, with all lowest bytes first.
+void append(std::string& bytes, const Column& column, std::size_t item_count) {
+  std::vector<std::vector<std::int64_t>> frames = codes_of(column, item_count);
+  take_differences(frames);
+  std::vector<std::vector<std::int64_t>> twice = frames;
+  take_differences(twice);
+  char order = 1;
+  if (digits_of(twice) < digits_of(frames)) {
+    frames = std::move(twice);
+    order = 2;
+  }
+  int width = 0;
+  for (const auto& frame : frames)
+    for (const std::int64_t value : frame)
+      width = std::max(width, static_cast<int>(std::bit_width(zigzag(value))));
+  const int planes = (width + 7) / 8;
+  bytes += order;
+  bytes += static_cast<char>(planes);
+  for (int plane = 0; plane < planes; ++plane)
+    for (const auto& frame : frames)
+      for (const std::int64_t value : frame) bytes += static_cast<char>(zigzag(value) >> 8 * plane & 255);
+}
+
+}  // namespace
+
+void Range::add(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+  if (passed++ % stride != 0) return;
+  samples.push_back(value);
+  if (samples.size() < max_samples) return;
+  for (std::size_t i = 0; i < samples.size() / 2; ++i) samples[i] = samples[2 * i];
+  samples.resize(samples.size() / 2);
+  stride *= 2;
+}
+
+double Range::quantile(double fraction) const {
+  if (samples.empty()) return unset;
+  std::vector<double> sorted = samples;
+  const auto place = static_cast<std::size_t>(std::lround(fraction * static_cast<double>(sorted.size() - 1)));
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(place), sorted.end());
+  return sorted[place];
+}
+
+Table::Table(std::string name, std::vector<Column> columns)
+    : name_(std::move(name)), columns_(std::move(columns)), ranges_(columns_.size()) {}
+
+std::size_t Table::column(const std::string& name, const std::string& unit) {
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    if (columns_[c].name == name) return c;
+  columns_.push_back({.name = name, .unit = unit});
+  columns_.back().frames.resize(frame_count_);
+  ranges_.emplace_back();
+  return columns_.size() - 1;
+}
+
+void Table::begin_frame() {
+  ++frame_count_;
+  for (Column& column : columns_) column.frames.emplace_back();
+}
+
+void Table::set(std::size_t column, std::size_t item, double value, bool is_in_range) {
+  std::vector<double>& frame = columns_[column].frames.back();
+  item_count_ = std::max(item_count_, item + 1);
+  if (frame.size() <= item) frame.resize(item + 1, unset);
+  frame[item] = value;
+  if (is_in_range) ranges_[column].add(value);
+  // Rounding errors at rest would be most of the page.
+  const double largest = std::max(std::abs(ranges_[column].low), std::abs(ranges_[column].high));
+  if (is_float(columns_[column].coding) && std::isfinite(largest) && std::abs(value) < negligible * largest)
+    frame[item] = 0;
+}
+
+std::string Table::pack() const {
+  std::string bytes;
+  for (int plane = 0; plane < 4; ++plane) bytes += static_cast<char>(item_count_ >> 8 * plane & 255);
+  bytes += static_cast<char>(columns_.size());
+  for (const Column& column : columns_) append(bytes, column, item_count_);
+  return bytes;
+}
+
+void Table::clear(bool keeps_items) {
+  for (Column& column : columns_) column.frames.clear();
+  frame_count_ = 0;
+  if (!keeps_items) item_count_ = 0;
+}
+
+std::string Table::description() const {
+  std::string text = "{\"name\":" + json(name_) + ",\"columns\":[";
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const Column& column = columns_[c];
+    text += std::string(c > 0 ? "," : "") + "{\"name\":" + json(column.name) +
+            ",\"unit\":" + json(column.unit) +
+            ",\"step\":" + json(is_float(column.coding) ? 0.0 : column.step) +
+            ",\"low\":" + json(ranges_[c].low) + ",\"high\":" + json(ranges_[c].high) +
+            ",\"usual_low\":" + json(ranges_[c].quantile(0.01)) +
+            ",\"usual_high\":" + json(ranges_[c].quantile(0.99)) + '}';
+  }
+  return text + "]}";
+}
+
+}  // namespace halfspace::viewer

@@ -1,0 +1,252 @@
+"""The page of a run in a browser: it plays, picks and colours, and its pixels show what the scene must show."""
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import matplotlib
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from browser import Browser
+
+COMMAND = sys.argv[1]
+SCENES = pathlib.Path(__file__).parent / "scenes"
+GRAVITY = 9.81
+
+
+def frame_of(path):
+    """The points of a frame, and the blocks of its cells, by VTK's own reader."""
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    data = reader.GetOutput()
+    blocks = vtk_to_numpy(data.GetCellData().GetArray("block"))
+    corners = {}
+    for cell, block in enumerate(blocks):
+        points = data.GetCell(cell).GetPoints()
+        corners.setdefault(int(block), []).extend(points.GetPoint(i) for i in range(points.GetNumberOfPoints()))
+    return {block: np.unique(np.array(points), axis=0) for block, points in corners.items()}
+
+
+class ViewerTest(unittest.TestCase):
+    scene = ""
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.output = pathlib.Path(temporary.name, "out")
+        answer = subprocess.run([COMMAND, "run", SCENES / cls.scene, "-o", cls.output, "--view"], capture_output=True, text=True)
+        assert answer.returncode == 0, answer.stderr + answer.stdout
+        assert "view.html: 9 frames of 3 blocks" in answer.stdout, answer.stdout
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.driver.quit)
+        cls.browser.open(cls.output / "view.html")
+
+    def setUp(self):
+        self.browser.run("viewer.player.pause(); viewer.setOpacity(1); viewer.setSection(-1); viewer.select(-1);"
+                         "viewer.setLayer('forces', false); await viewer.player.goTo(0)")
+
+    def tearDown(self):
+        self.assertEqual(self.browser.problems(), [])
+        self.assertEqual(self.browser.fetched(), [])
+
+    def go_to(self, number):
+        self.browser.run("await viewer.player.goTo(a[0])", number)
+
+    def colour_at(self, pixel, screenshot):
+        """Of the middle one of nine pixels, so that no smoothed line between two colours counts."""
+        x, y = round(pixel[0]), round(pixel[1])
+        return np.median(screenshot[y - 1:y + 2, x - 1:x + 2].reshape(9, 3), axis=0)
+
+    def assert_colour(self, found, wanted, delta=12):
+        self.assertLess(np.abs(found - wanted).max(), delta, f"{found} is not {wanted}")
+
+    def check_vertices(self):
+        """What the page unpacks is what the frames have, within the step of the lattice."""
+        for number in range(9):
+            self.go_to(number)
+            shown = self.browser.run(
+                "const {blockMesh} = viewer.picture; return viewer.recording.blocks.map((block) => "
+                "blockMesh.verticesOf(block).map((vertex) => vertex.toArray()))"
+            )
+            for block, vertices in frame_of(self.output / "frames" / f"frame_{number:04}.vtp").items():
+                distances = np.linalg.norm(vertices[:, None] - np.array(shown[block])[None], axis=2)
+                # Half a step of each coordinate, 1/2048 of a block, and half a step of 1/4096 in the rotation.
+                self.assertLess(distances.min(axis=1).max(), 1e-3)
+
+
+class Plane(ViewerTest):
+    scene = "plane.toml"
+
+    def pixel_of(self, x, y):
+        """From the view: an orthographic camera that looks along z."""
+        target, extent, width, height = self.browser.run(
+            "const {target, distance, width, height} = viewer.picture.control;"
+            "return [[target.x, target.y], distance, width, height]"
+        )
+        scale = height / extent
+        return width / 2 + (x - target[0]) * scale, height / 2 - (y - target[1]) * scale
+
+    def show_displacement(self, high):
+        self.browser.run("await viewer.setField(viewer.fields.find((field) => field.name === 'displacement'));"
+                         "viewer.setRange([0, a[0]])", high)
+
+    def test_vertices(self):
+        self.check_vertices()
+
+    def test_pixels_have_the_colours_of_a_free_fall(self):
+        drop = 0.5 * GRAVITY * 0.5**2
+        self.show_displacement(4.0)
+        start = self.pixel_of(4, 5.5)
+        self.go_to(0)
+        before = self.browser.screenshot()
+        viridis = matplotlib.colormaps["viridis"]
+        self.assert_colour(self.colour_at(start, before), 255 * np.array(viridis(0.0)[:3]))
+        self.go_to(5)
+        after = self.browser.screenshot()
+        place = self.pixel_of(4, 5.5 - drop)
+        self.assert_colour(self.colour_at(place, after), 255 * np.array(viridis(drop / 4)[:3]))
+        background = self.colour_at(self.pixel_of(-2.5, 6), after)
+        self.assert_colour(self.colour_at(self.pixel_of(4, 5.5 + 0.4), after), background)
+        # The block's lower side, and the gap below it.
+        self.assert_colour(self.colour_at(self.pixel_of(4, 5.1 - drop), after), 255 * np.array(viridis(drop / 4)[:3]))
+        self.assert_colour(self.colour_at(self.pixel_of(4, 4.9 - drop), after), background)
+
+    def test_picking(self):
+        drop = 0.5 * GRAVITY * 0.5**2
+        self.go_to(5)
+        self.browser.click(*self.pixel_of(4.2, 5.7 - drop))
+        text = self.browser.element("inspector").text
+        self.assertIn("falling", text)
+        self.assertIn("rigid", text)
+        row = next(line for line in text.splitlines() if line.startswith("displacement y"))
+        self.assertAlmostEqual(float(row.split()[2].replace("−", "-")), -drop, delta=0.01)
+        speed = next(line for line in text.splitlines() if line.startswith("speed"))
+        self.assertAlmostEqual(float(speed.split()[1]), GRAVITY * 0.5, delta=0.04)  # rounded to 1/256, and to 3 digits
+        self.browser.click(*self.pixel_of(1.5, 0.75))
+        self.assertIn("resting", self.browser.element("inspector").text)
+        self.assertIn("with floor", self.browser.element("inspector").text)
+        self.browser.click(*self.pixel_of(-2.5, 6))
+        self.assertIn("Click a block", self.browser.element("inspector").text)
+
+    def test_history_of_a_block(self):
+        self.show_displacement(4.0)
+        series = self.browser.run(
+            "viewer.select(1); await viewer.inspector.historyShown; return viewer.inspector.chart.series"
+            ".map(({times, values}) => [[...times], [...values]])")
+        (times, values), = series
+        self.assertEqual(len(times), 9)
+        for time, value in zip(times, values):
+            self.assertAlmostEqual(value, 0.5 * GRAVITY * time**2, delta=2e-3)
+
+    def test_materials(self):
+        self.browser.run("await viewer.setField(viewer.fields.find((field) => field.name === 'material'))")
+        shown = self.browser.screenshot()
+        colours = self.browser.run("return categoryColours.slice(0, 2).map(rgbOf)")
+        self.assert_colour(self.colour_at(self.pixel_of(1.5, 0.75), shown), colours[0])
+        self.assert_colour(self.colour_at(self.pixel_of(5, -0.5), shown), colours[1])
+        self.assertEqual(self.browser.run("return viewer.recording.materials"), ["rock", "ground"])
+
+    def test_layers(self):
+        """The bolt and the water table are where they are in the scene; contact forces point up from the floor."""
+        shown = self.browser.screenshot()
+        along = np.array([2.5, -3.25]) / math.hypot(2.5, 3.25)
+        bolt, water = (255 * np.array(self.browser.run(f"return layerColours.{name}")) for name in ("bolt", "water"))
+        self.assert_colour(self.nearest(self.pixel_of(-2 + 1.5 * along[0], 4 + 1.5 * along[1]), shown, bolt), bolt, 60)
+        self.assert_colour(self.nearest(self.pixel_of(4, 0.5), shown, water), water, 60)
+        self.browser.run("viewer.setLayer('forces', true); viewer.layers.forceScale = 4; await viewer.player.goTo(8)")
+        begin, end = self.browser.run("const {begins, ends} = viewer.layers.bars.forces; return [[...begins.slice(0, 3)], [...ends.slice(0, 3)]]")
+        self.assertLess(abs(begin[0] - end[0]), 0.3 * abs(begin[1] - end[1]))
+        self.assertLess(abs(begin[1] + end[1]), 0.05)  # its middle is in the joint at y = 0
+        compression = 255 * np.array(self.browser.run("return layerColours.compression"))
+        shown = self.browser.screenshot()
+        middle = self.pixel_of((begin[0] + end[0]) / 2, 0.2)
+        self.assert_colour(self.nearest(middle, shown, compression), compression, 60)
+
+    def nearest(self, pixel, screenshot, colour):
+        """The colour most like another one within three pixels."""
+        x, y = round(pixel[0]), round(pixel[1])
+        near = screenshot[y - 3:y + 4, x - 3:x + 4].reshape(-1, 3)
+        return near[np.abs(near - colour).max(axis=1).argmin()]
+
+    def test_playing(self):
+        self.browser.run("document.getElementById('picture').focus()")
+        self.browser.type(" ")
+        self.assertTrue(self.browser.run("return viewer.player.isPlaying"))
+        # However slow the machine is: it shows other frames, and begins again after the last one.
+        self.browser.run(
+            "const next = () => new Promise((shown) => requestAnimationFrame(() => shown(viewer.frame.number)));"
+            "let largest = 0, number = 0;"
+            "while (number >= largest) { largest = number; number = await next(); }")
+        self.browser.type(" ")
+        self.assertFalse(self.browser.run("return viewer.player.isPlaying"))
+        number = self.browser.run("return viewer.player.goTo(3).then(() => viewer.frame.number)")
+        self.assertEqual(number, 3)
+        self.assertIn("4 / 9", self.browser.element("time").text)
+
+    def test_saved_picture(self):
+        size = self.browser.run("viewer.draw(); const blob = await viewer.picture.png(); return [blob.type, blob.size]")
+        self.assertEqual(size[0], "image/png")
+        self.assertGreater(size[1], 5000)
+
+
+class Space(ViewerTest):
+    scene = "space.toml"
+
+    def pixel_of(self, point):
+        """From the view: a perspective camera above the horizon, z up."""
+        target, distance, azimuth, elevation, width, height, angle = self.browser.run(
+            "const c = viewer.picture.control; return [c.target.toArray(), c.distance, c.azimuth, c.elevation, c.width,"
+            "c.height, c.camera.fov * Math.PI / 180]")
+        outward = np.array([math.cos(elevation) * math.sin(azimuth), -math.cos(elevation) * math.cos(azimuth),
+                            math.sin(elevation)])
+        right = np.array([math.cos(azimuth), math.sin(azimuth), 0])
+        up = np.cross(outward, right)
+        at = np.array(point) - np.array(target)
+        scale = height / 2 / math.tan(angle / 2) / (distance - at @ outward)
+        return width / 2 + at @ right * scale, height / 2 - at @ up * scale
+
+    def test_vertices(self):
+        self.check_vertices()
+
+    def test_picking(self):
+        for azimuth, elevation in ((-0.5, 0.4), (0.7, 0.9)):
+            self.browser.run("viewer.picture.control.look(a[0], a[1])", azimuth, elevation)
+            for place, name in (((-1.5, 0, 1), "left"), ((1.5, 0, 4.5), "right"), ((0, -0.8, 0), "floor")):
+                self.browser.click(*self.pixel_of(place))
+                self.assertIn(name, self.browser.element("inspector").text)
+
+    def test_orbit(self):
+        before = self.browser.run("return viewer.picture.control.azimuth")
+        self.browser.drag(600, 400, 100, 0)
+        self.assertAlmostEqual(self.browser.run("return viewer.picture.control.azimuth"), before - 0.8, delta=0.01)
+
+    def test_section(self):
+        """Beyond the section there is nothing; the cut block shows its colour in the plane of the cut."""
+        self.browser.run("await viewer.setField(viewer.fields.find((field) => field.name === 'material'));"
+                         "viewer.picture.control.look(Math.PI / 2, 0)")
+        low, high = self.browser.run("const {box} = viewer.picture.control; return [box.min.x, box.max.x]")
+        self.browser.run("viewer.setSection(0, (1.5 - a[0]) / (a[1] - a[0]), false)", low, high)
+        shown = self.browser.screenshot()
+        right = self.colour_at(self.pixel_of((1.5, 0, 4.5)), shown)
+        material = np.array(self.browser.run("return rgbOf(categoryColours[0])"))
+        self.assert_colour(right / right.max(), material / material.max(), 0.06)
+        background = self.colour_at((self.pixel_of((1.5, 0, 4.5))[0], 200), shown)
+        self.browser.run("viewer.setSection(0, (0.5 - a[0]) / (a[1] - a[0]), false)", low, high)
+        shown = self.browser.screenshot()
+        self.assert_colour(self.colour_at(self.pixel_of((0.5, 0, 4.5)), shown), self.colour_at((300, 200), shown))
+        self.assertGreater(np.abs(self.colour_at(self.pixel_of((-1, 0, 0.5)), shown) - background).max(), 20)
+
+    def test_forces_are_seen_through_blocks(self):
+        self.browser.run("viewer.setLayer('forces', true); await viewer.player.goTo(8)")
+        self.assertEqual(self.browser.run("return viewer.picture.blockMesh.uniforms.opacity.value"), 0.25)
+        self.assertGreater(self.browser.run("return viewer.layers.bars.forces.count"), 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
