@@ -42,15 +42,18 @@ from .errors import (
     InternalError,
     InvertedError,
     OutOfMemoryError,
+    SceneError,
     StaleIdError,
     StateError,
     TooFastError,
     UnstableError,
 )
+from .generators import arch, jointed_rock, stack, triangulated, voronoi, wall
 from .impact import Motion, pair_time_of_impact
 from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
+from .progress import ProgressBar
 from .records import (
     BALANCE,
     BLOCK_STATE,
@@ -68,7 +71,10 @@ from .records import (
     STRENGTH_REPORT,
     WORLD_REPORT,
 )
+from .results import RunResult, SafetyResult
+from .scene import Scene
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
+from .sweep import Sweep
 from .world import World
 
 __version__ = version()
@@ -116,24 +122,36 @@ __all__ = [
     "PairCache",
     "PairKind",
     "Plane",
+    "ProgressBar",
+    "RunResult",
+    "SafetyResult",
+    "Scene",
+    "SceneError",
     "Shape",
     "StaleIdError",
     "StateError",
     "StiffnessKind",
+    "Sweep",
     "TooFastError",
     "Unbalanced",
     "UnstableError",
     "World",
     "WorldPart",
+    "arch",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",
     "default_context",
+    "jointed_rock",
     "pair_caches",
     "pair_detect",
     "pair_time_of_impact",
     "pairs_detect",
     "pose",
+    "stack",
     "status_text",
+    "triangulated",
     "version",
+    "voronoi",
+    "wall",
 ]

@@ -2,7 +2,7 @@
 import ctypes
 import operator
 import time
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,13 +21,14 @@ from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
+from .run import Runs
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
 
 
-class World(ActedOn, CompoundBlocks):
+class World(ActedOn, CompoundBlocks, Runs):
     """Blocks, materials, laws and time.
 
     Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in
@@ -149,6 +150,20 @@ class World(ActedOn, CompoundBlocks):
             super().__init__(owner, pointer, library.hs_world_destroy, dimension)
 
     @classmethod
+    def _owned(cls, owner: Context, pointer: Any, dimension: int) -> "World":
+        """A world that another part of the library made in a context; the caller holds its lock."""
+        world = cls.__new__(cls)
+        super(World, world).__init__(owner, pointer, library.hs_world_destroy, dimension)
+        return world
+
+    @classmethod
+    def _borrowed(cls, owner: Context, pointer: Any, dimension: int) -> "World":
+        """The same, which another part of the library destroys."""
+        world = cls.__new__(cls)
+        super(World, world).__init__(owner, pointer, lambda _: None, dimension)
+        return world
+
+    @classmethod
     def restore(
         cls, snapshot: Union[bytes, bytearray, memoryview], *, context: Optional[Context] = None
     ) -> "World":
@@ -175,6 +190,7 @@ class World(ActedOn, CompoundBlocks):
     def __copy__(self) -> "World":
         other = World.restore(self.save(), context=self.context)
         other._given = self._given.copy()
+        other._names, other._notes_of_scene = dict(self._names), list(self._notes_of_scene)
         return other
 
     def __deepcopy__(self, _: Dict[int, Any]) -> "World":
@@ -263,6 +279,34 @@ class World(ActedOn, CompoundBlocks):
         with held(self, shape):
             self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
         return block.value
+
+    def add_blocks(
+        self,
+        shapes: Sequence[Shape],
+        *,
+        kind: Union[BlockKind, str] = BlockKind.RIGID,
+        material: int = 0,
+        velocity: Optional[ArrayLike] = None,
+        angular_velocity: Optional[ArrayLike] = None,
+    ) -> NDArray[np.uint64]:
+        """Adds blocks in the coordinates of their vertices, as `jointed_rock`, `wall` and others make them. The other
+        arguments are those of `add_block`. Returns their ids.
+
+        Examples
+        --------
+        >>> from halfspace import stack
+        >>> world = World()
+        >>> stone = world.add_material(density=2000)
+        >>> len(world.add_blocks(stack((1, 1), count=3)))
+        3
+        """
+        ids = [
+            self.add_block(
+                shape, kind=kind, material=material, velocity=velocity, angular_velocity=angular_velocity
+            )
+            for shape in shapes
+        ]
+        return np.array(ids, np.uint64)
 
     def remove_block(self, block: int) -> None:
         """Removes a block; its id becomes stale."""
@@ -427,6 +471,7 @@ class World(ActedOn, CompoundBlocks):
             report = self.report
         gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
         return [
+            *self._notes_of_scene,
             *given.unusual(),
             *notes_on_gravity(gravity, self.dimension),
             *notes_on_support(boxes, gravity, velocities),
