@@ -1,6 +1,7 @@
 """The C interface of scenes, halfspace/scene.h, without changes. Its library is loaded at first use.
 
-Search order: the folder of the library of the kernel, as both are installed together; then the system's loader."""
+Search order: the one bundled in this package; the folder of the library of the kernel, as both are installed together;
+the system's loader."""
 import ctypes
 import functools
 import pathlib
@@ -9,7 +10,7 @@ import weakref
 from typing import Any
 
 from . import _raw
-from ._library import library
+from ._library import library, open_library
 from .errors import HalfspaceError, SceneError, StateError, error_of
 
 TEXT_TOML, TEXT_NOTES, TEXT_NAMES, TEXT_REPORT, TEXT_TROUBLE = range(5)
@@ -101,11 +102,11 @@ def _declare(found: ctypes.CDLL) -> None:
 def scene_library() -> Any:
     """The library of scenes. It uses the library of the kernel that is loaded already."""
     name = _raw.SONAME.replace("libhalfspace", "libhalfspace_scene")
-    beside = pathlib.Path(str(library._name)).parent / name
+    beside = pathlib.Path(str(library._name)).parent
     failures = []
-    for path in (str(beside), name):
+    for path in (*map(str, (beside / "_scene_library").glob(name)), str(beside / name), name):
         try:
-            found = ctypes.CDLL(path)
+            found = open_library(path)
         except OSError as error:
             failures.append(str(error))
         else:

@@ -1,7 +1,7 @@
 """Affine blocks: blocks with uniform strain and stress."""
 import ctypes
 import dataclasses
-from typing import Any, Optional, Union
+from typing import Optional, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +14,7 @@ from ._record import Records, empty_record, empty_records
 from .block_arrays import BlockArrays
 from .constants import Plane
 from .context import held
-from .records import DEFORMATION
+from .records import DEFORMATION, Deformation
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,7 +69,7 @@ class AffineBlocks(BlockArrays):
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
         self._given.see(f"material[{material}]", elasticity)
 
-    def deformation(self, block: int) -> Any:
+    def deformation(self, block: int) -> Deformation:
         """Returns deformation and stress of a block of any kind: a record of `DEFORMATION`.
 
         `gradient` is the deformation gradient, from the shape's frame to space; `rate` its time derivative, 1/s;
@@ -79,7 +79,7 @@ class AffineBlocks(BlockArrays):
         array, address = empty_record(DEFORMATION)
         deformation = _raw.hs_deformation.from_address(address)
         self._call(library.hs_world_get_deformation, block_id(block, "block"), deformation)
-        return array[0]
+        return cast(Deformation, array[0])
 
     def deformations(self) -> Records:
         """Returns deformation and stress of all blocks: an array of `DEFORMATION`, whose ``["gradient"]`` has the

@@ -107,7 +107,7 @@ def triangulated(
     return _rock(2, "triangulated", context, {**corners, "count": count, "jitter": jitter, "seed": seed})
 
 
-def _box(low: Sequence[float], size: Sequence[float], context: Optional[Context]) -> Shape:
+def _box(low: ArrayLike, size: Sequence[float], context: Optional[Context]) -> Shape:
     first, last = np.asarray(low, np.float64), np.add(low, size)
     if len(size) == 2:
         (a, b), (c, d) = first, last
@@ -178,7 +178,7 @@ def wall(
     for course in range(courses):
         shift = 0.5 * brick[0] * (course % 2)
         joints = np.arange(brick[0] - shift, length * (1 - 1e-9), brick[0])
-        ends = np.concatenate(([0.0], joints, [length]))
+        ends = [0.0, *joints.tolist(), length]
         for first, last in zip(ends[:-1], ends[1:]):
             low = corner.copy()
             low[0] += first

@@ -2,16 +2,21 @@
 import ctypes
 import os
 import time
-from typing import Any, Callable, Dict, List, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _scene
+from . import _raw, _scene
 from ._library import library
+from ._record import empty_record
 from .block_arrays import BlockArrays
 from .context import held
 from .progress import ProgressBar
+from .records import WORLD_REPORT, Energy, WorldReport
+
+if TYPE_CHECKING:
+    from .world import World
 
 _PORTION_TIME = 0.1  # s of wall time, between two looks at signals and the progress bar
 
@@ -23,6 +28,23 @@ class Runs(BlockArrays):
         super().__init__(*arguments)
         self._names: Dict[int, str] = {}
         self._notes_of_scene: List[str] = []
+
+    @property
+    def report(self) -> WorldReport:
+        """Time, time step, counts and energies: a record of `WORLD_REPORT`."""
+        array, address = empty_record(WORLD_REPORT)
+        self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
+        return cast(WorldReport, array[0])
+
+    @property
+    def energy(self) -> Energy:
+        """Energy ledger: a record of the fields of ``hs_energy``."""
+        return self.report.energy
+
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return float(self.report.time)
 
     @property
     def names(self) -> List[str]:
@@ -42,7 +64,7 @@ class Runs(BlockArrays):
         *,
         until: Optional[float] = None,
         every: Optional[float] = None,
-        callback: Optional[Callable[[Any], Optional[bool]]] = None,
+        callback: Optional[Callable[["World"], Optional[bool]]] = None,
         progress: bool = False,
     ) -> None:
         """Steps the world to the step nearest to a time. The steps are those of `step`.
@@ -80,7 +102,7 @@ class Runs(BlockArrays):
             raise ValueError("give either duration or until")
         if every is not None and not every > 0:
             raise ValueError(f"every is {every}; it must be above 0")
-        start = float(self.report.time)  # type: ignore[attr-defined]
+        start = float(self.report.time)
         end = start + duration if duration is not None else float(until or 0.0)
         bar = ProgressBar() if progress else None
         steps, calls = 1, 0
@@ -91,13 +113,14 @@ class Runs(BlockArrays):
                 done = self._step_towards(due, steps)
                 took = time.perf_counter() - before
                 steps = max(1, int(done * min(2.0, _PORTION_TIME / max(took, 1e-9))))
-                now = float(self.report.time)  # type: ignore[attr-defined]
+                now = float(self.report.time)
                 if bar:
-                    bar.show((now - start) / (end - start), f"t = {now:.4g} of {end:.4g} s")
+                    fraction = 1.0 if self._reached(end) else (now - start) / (end - start)
+                    bar.show(fraction, f"t = {now:.4g} of {end:.4g} s")
                 is_due = self._reached(due)
                 if is_due and every is not None:
                     calls += 1
-                if callback and (is_due or every is None) and callback(self) is False:
+                if callback and (is_due or every is None) and callback(cast("World", self)) is False:
                     return
         finally:
             if bar:
@@ -105,14 +128,14 @@ class Runs(BlockArrays):
 
     def _step_length(self) -> float:
         """The time step; before the first step that of the settings."""
-        report = self.report  # type: ignore[attr-defined]
+        report = self.report
         return float(report.time_step if report.time_step > 0 else report.stable_time_step)
 
     def _reached(self, end: float) -> bool:
-        return bool(end - float(self.report.time) < 0.5 * self._step_length())  # type: ignore[attr-defined]
+        return bool(end - float(self.report.time) < 0.5 * self._step_length())
 
     def _step_towards(self, end: float, steps: int) -> int:
-        report = self.report  # type: ignore[attr-defined]
+        report = self.report
         left = (end - float(report.time)) / float(report.time_step) if report.time_step > 0 else 1
         done = min(max(1, round(left)), steps)
         self._call(library.hs_world_step, done)

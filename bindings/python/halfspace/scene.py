@@ -185,24 +185,15 @@ class Scene:
             The time step is too large. The output up to there is kept.
         """
         scene = self if every is None else self.with_settings({"output.history_interval": every})
-        names: Dict[int, str] = {}
-
-        def world_at(pointer: Any) -> World:
-            world = World._borrowed(owner, pointer, scene.dimension)
-            if not names:
-                names.update(scene._names_of(world))
-            world._names = names
-            return world
-
         with _directory(output) as directory, scene._in(context) as (owner, address), _Callbacks(
-            progress, callback, world_at
+            progress, callback, scene._worlds_in(owner)
         ) as calls:
             start = None if resume_from is None else os.fsencode(resume_from)
             definition = _scene.hs_scene_run_def(os.fsencode(directory), replace, start, calls.progress, calls.row)
             found, pointer = _scene.hs_scene_run_result(), ctypes.POINTER(_raw.hs_world)()
             scene._handle.call("run", address, ctypes.byref(definition), ctypes.byref(found), ctypes.byref(pointer))
             world = scene._owned(owner, pointer)
-            calls.raise_error()
+            calls.end()
             scene._raise_trouble(_ENDS[found.end])
             return RunResult(
                 end=_ENDS[found.end],
@@ -256,7 +247,7 @@ class Scene:
             )
             found = _scene.hs_scene_safety_result()
             self._handle.call("find_safety", address, ctypes.byref(definition), ctypes.byref(found))
-            calls.raise_error()
+            calls.end()
             report = self._handle.text(_scene.TEXT_REPORT)
             return SafetyResult(_ENDS[found.end], found.stable, found.falls, report)
 
@@ -299,6 +290,19 @@ class Scene:
         world._notes_of_scene = self._handle.text(_scene.TEXT_NOTES).splitlines()
         return world
 
+    def _worlds_in(self, owner: Context) -> Callable[[Any], World]:
+        """A function that gives the world of a run to its callback."""
+        names: Dict[int, str] = {}
+
+        def world_at(pointer: Any) -> World:
+            world = World._borrowed(owner, pointer, self.dimension)
+            if not names:
+                names.update(self._names_of(world))
+            world._names = names
+            return world
+
+        return world_at
+
     def _names_of(self, world: World) -> Dict[int, str]:
         return dict(zip(map(int, world.blocks), self._handle.text(_scene.TEXT_NAMES).splitlines()))
 
@@ -332,7 +336,9 @@ class _Callbacks:
         self._error: Optional[BaseException] = None
         # Without a bar, too, as Python handles signals during these calls.
         self.progress = _scene.PROGRESS(self._on_progress)
-        self.row = _scene.ROW(self._on_row) if callback else _scene.ROW()
+        row: Any = self._on_row if callback else 0
+        self.row = _scene.ROW(row)
+        self._where = ""
 
     def __enter__(self) -> "_Callbacks":
         return self
@@ -342,7 +348,12 @@ class _Callbacks:
             self._bar.close()
 
     def _on_progress(self, _: Any, fraction: float, where: bytes) -> int:
-        return self._ends(lambda: self._bar and self._bar.show(fraction, where.decode()))
+        self._where = where.decode()
+        return self._ends(lambda: self._show(fraction))
+
+    def _show(self, fraction: float) -> None:
+        if self._bar:
+            self._bar.show(fraction, self._where)
 
     def _on_row(self, _: Any, pointer: Any) -> int:
         assert self._callback and self._world_at
@@ -363,9 +374,11 @@ class _Callbacks:
             self._error = error
             return 1
 
-    def raise_error(self) -> None:
+    def end(self) -> None:
+        """Raises the exception of a callback, or completes the bar."""
         if self._error is not None:
             raise self._error
+        self._show(1.0)
 
 
 def shapes_of(tables: Mapping[str, Any], context: Optional[Context] = None) -> List[Shape]:

@@ -107,7 +107,7 @@ def trade(
     start = time.monotonic()
     runs: List[_Run] = []
     left_out: List[Dict[str, Any]] = []
-    for setting in map(dict, chosen):
+    for setting in (dict(each) for each in chosen):
         run = known.find(setting)
         if run is None and budget is not None and time.monotonic() - start >= budget:
             left_out.append(setting)

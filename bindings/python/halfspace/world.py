@@ -2,7 +2,7 @@
 import ctypes
 import operator
 import time
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,12 +20,14 @@ from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
 from .plot import picture_by, plot_blocks
-from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
+from .plot_space import plot_solids
+from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
 from .run import Runs
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
+_PICTURE_LIMIT_IN_SPACE = 2000
 
 
 class World(ActedOn, CompoundBlocks, Runs):
@@ -312,12 +314,12 @@ class World(ActedOn, CompoundBlocks, Runs):
         """Removes a block; its id becomes stale."""
         self._call(library.hs_world_remove_block, block_id(block, "block"))
 
-    def state(self, block: int) -> Any:
+    def state(self, block: int) -> BlockState:
         """Returns the motion of a block: a record of `BLOCK_STATE`."""
         array, address = empty_record(BLOCK_STATE)
         state = _raw.hs_block_state.from_address(address)
         self._call(library.hs_world_get_block_state, block_id(block, "block"), state)
-        return array[0]
+        return cast(BlockState, array[0])
 
     def block_vertices(self, block: int) -> Floats:
         """Returns the current positions of a block's vertices, m, shape (n, dimension)."""
@@ -426,30 +428,13 @@ class World(ActedOn, CompoundBlocks, Runs):
             vector(shear_force, "shear_force"),
         )
 
-    @property
-    def report(self) -> Any:
-        """Time, time step, counts and energies: a record of `WORLD_REPORT`."""
-        array, address = empty_record(WORLD_REPORT)
-        self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
-        return array[0]
-
-    def plan(self, steps: int = 0) -> Any:
+    def plan(self, steps: int = 0) -> WorldPlan:
         """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.
 
         Its times are measured over `steps` steps of a copy. ``WorldPart(int(plan.parts))`` has the active parts."""
         array, address = empty_record(WORLD_PLAN)
         self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
-        return array[0]
-
-    @property
-    def energy(self) -> Any:
-        """Energy ledger: a record of the fields of ``hs_energy``."""
-        return self.report.energy
-
-    @property
-    def time(self) -> float:
-        """Simulated time, s."""
-        return float(self.report.time)
+        return cast(WorldPlan, array[0])
 
     def check(self) -> List[str]:
         """Returns notes on unusual settings: values in a wrong unit (a density in t/m3, a cohesion in MPa), gravity
@@ -505,21 +490,28 @@ class World(ActedOn, CompoundBlocks, Runs):
     # ---- pictures ----
 
     def plot(self, ax: Any = None, *, contacts: bool = True) -> Any:
-        """Draws a 2D world by matplotlib: blocks, with fixed and prescribed ones in grey, and the contacts of the
-        last detection, as `halfspace.plot.plot_blocks`. Returns the axes."""
-        if self.dimension != 2:
-            raise ValueError(
-                "dimension is 3; only 2D worlds are drawn; ParaView reads the output of the halfspace command"
-            )
+        """Draws the world by matplotlib: blocks, with fixed and prescribed ones in grey, and a line along each
+        contact force of the last step, with a width proportional to it. Returns the axes.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw into, in 3D of ``projection="3d"``; by default the current ones, in 3D those of a new figure.
+        contacts : bool
+            Draw the forces.
+        """
         with held(self):
             blocks, outlines = self._outlined()
             free = (BlockKind.RIGID, BlockKind.AFFINE)
             are_free = [self.state(block).kind in free for block in blocks]
             touching = self.contacts()
-        return plot_blocks(blocks, outlines, are_free, touching if contacts else touching[:0], ax)
+        shown = touching if contacts else touching[:0]
+        if self.dimension == 3:
+            return plot_solids(blocks, outlines, are_free, shown, ax, context=self.context)
+        return plot_blocks(blocks, outlines, are_free, shown, ax)
 
     def _repr_png_(self) -> Optional[bytes]:
-        """None in 3D, and for a closed, empty or large world."""
-        if self.closed or self.dimension != 2 or not 0 < len(self) <= _PICTURE_LIMIT:
+        """None for a closed, empty or large world."""
+        if self.closed or not 0 < len(self) <= (_PICTURE_LIMIT if self.dimension == 2 else _PICTURE_LIMIT_IN_SPACE):
             return None
-        return picture_by(self.plot)
+        return picture_by(self.plot, self.dimension)
