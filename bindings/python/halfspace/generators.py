@@ -117,7 +117,9 @@ def _box(low: ArrayLike, size: Sequence[float], context: Optional[Context]) -> S
     return Shape.polyhedron(np.where(signs, last, first), faces, context=context)
 
 
-def stack(size: Sequence[float], count: int, *, at: ArrayLike = (0, 0), context: Optional[Context] = None) -> List[Shape]:
+def stack(
+    size: Sequence[float], count: int, *, at: ArrayLike = (0, 0), context: Optional[Context] = None
+) -> List[Shape]:
     """Stacks equal blocks on one another.
 
     Parameters

@@ -1,9 +1,9 @@
 /** @file
  *  @brief Scene files: the library behind the command `halfspace`, for other languages.
  *
- *  The library `halfspace_scene` reads TOML scenes (docs/scenes/index.md), makes worlds of them, and runs them as
- *  the command does. It belongs to the command, not to the C interface of the kernel: the bindings for Fortran and
- *  Rust do not wrap it.
+ *  The library `halfspace_scene` reads TOML scenes (docs/scenes/index.md), makes worlds of them, and runs
+ *  them as the command does. It belongs to the command, not to the C interface of the kernel: the bindings for
+ *  Fortran and Rust do not wrap it.
  *
  *  Thread rule: a scene admits one thread at a time, and so does the context that a call receives.
  */
@@ -22,8 +22,8 @@ typedef struct hs_scene hs_scene;
 /** Texts of a scene. */
 enum {
   HS_SCENE_TEXT_TOML = 0,    /**< the scene with its settings, as a file */
-  HS_SCENE_TEXT_NOTES = 1,   /**< notes on unusual input, a line each, of the last world, check, run or search */
-  HS_SCENE_TEXT_NAMES = 2,   /**< names of the blocks of the last world, a line each, as hs_world_get_blocks() */
+  HS_SCENE_TEXT_NOTES = 1,   /**< notes on unusual input of the last world, run or search, a line each */
+  HS_SCENE_TEXT_NAMES = 2,   /**< names of the blocks of the last world, as hs_world_get_blocks(), a line each */
   HS_SCENE_TEXT_REPORT = 3,  /**< the summary of the last run or search */
   HS_SCENE_TEXT_TROUBLE = 4  /**< the reason why the last run ended as unstable or too fast; else empty */
 };
@@ -35,7 +35,7 @@ enum {
   HS_SCENE_INTERRUPTED = 2, /**< a callback has ended it */
   HS_SCENE_UNSTABLE = 3,    /**< the time step is too large */
   HS_SCENE_TOO_FAST = 4,    /**< two blocks approach too fast, and `fast_blocks` refuses them */
-  HS_SCENE_NOT_FOUND = 5    /**< a search: not at rest, or not between the ends of the bracket; see the report */
+  HS_SCENE_NOT_FOUND = 5    /**< a search: the scene is not at rest, or the bracket is wrong; see the report */
 };
 
 /** Quantities of a scene that was read. */
@@ -125,11 +125,12 @@ HS_CHECKED hs_status hs_scene_read(hs_scene *scene, const char *toml, size_t siz
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE */
 HS_CHECKED hs_status hs_scene_get_properties(hs_scene *scene, hs_scene_properties *properties);
 
-/** @brief Makes the world at the start of a scene, with notes and names. Stages, and motions of prescribed blocks
- *  that start or stop later, take part in runs only.
+/** @brief Makes the world at the start of a scene, with notes and names. Stages, and motions of prescribed
+ *  blocks that start or stop later, take part in runs only.
  *  @param scene that was read @param context allocates the world @param world receives it, the caller's to
  *  destroy; NULL for the notes alone
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_FORMAT for faulty blocks, or an error of the kernel */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_FORMAT for faulty blocks, or an error of the
+ *  kernel */
 HS_CHECKED hs_status hs_scene_make_world(hs_scene *scene, hs_context *context, hs_world **world);
 
 /** @brief Makes the shapes of all blocks of a scene, in the order of their names, for hs_scene_take_shape().
@@ -149,8 +150,8 @@ HS_API void hs_scene_run_def_init(hs_scene_run_def *def);
  *  @param scene that was read @param context with the threads of the run @param def not NULL
  *  @param result receives the results; may be NULL
  *  @param world receives the world at the end, the caller's to destroy; may be NULL
- *  @return HS_OK also for interrupted and unstable runs; HS_ERROR_ARGUMENT, HS_ERROR_STATE for a directory in use,
- *  HS_ERROR_FORMAT for faulty blocks or checkpoints, or an error of the kernel */
+ *  @return HS_OK also for interrupted and unstable runs; HS_ERROR_ARGUMENT, HS_ERROR_STATE for a directory in
+ *  use or a checkpoint of another scene, HS_ERROR_FORMAT for faulty blocks, or an error of the kernel */
 HS_CHECKED hs_status hs_scene_run(hs_scene *scene, hs_context *context, const hs_scene_run_def *def,
                                   hs_scene_run_result *result, hs_world **world);
 
@@ -160,12 +161,13 @@ HS_API void hs_scene_safety_def_init(hs_scene_safety_def *def);
 /** @brief Finds the factor of safety and writes the files of `halfspace safety`.
  *  @param scene that was read @param context with the threads of the search @param def not NULL
  *  @param result receives the results; may be NULL @return as hs_scene_run() */
-HS_CHECKED hs_status hs_scene_find_safety(hs_scene *scene, hs_context *context, const hs_scene_safety_def *def,
-                                          hs_scene_safety_result *result);
+HS_CHECKED hs_status hs_scene_find_safety(hs_scene *scene, hs_context *context,
+                                          const hs_scene_safety_def *def, hs_scene_safety_result *result);
 
 /** @brief Writes the blocks of any world, or its contacts, as a file of VTK XML PolyData for ParaView.
- *  @param scene keeps the error text; it need not have been read @param context of the world @param world not NULL
- *  @param start poses from which displacements are measured, as hs_world_get_poses(); NULL: displacements are 0
+ *  @param scene keeps the error text; it need not have been read @param context of the world
+ *  @param world not NULL
+ *  @param start poses from which displacements are measured, as hs_world_get_poses(); NULL: they are 0
  *  @param blocks file of the blocks @param contacts file of the contacts; NULL: none
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE if a file cannot be written, or an error of the kernel */
 HS_CHECKED hs_status hs_scene_write_vtk(hs_scene *scene, hs_context *context, const hs_world *world,
