@@ -6,13 +6,16 @@ import re
 import pytest
 
 import halfspace
-from halfspace import affine, context, impact, law, pair, shape, world
+from halfspace import affine, context, generators, impact, law, pair, run, scene, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
-@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, affine, context, impact, law, pair, shape, world])
+MODULES = [affine, context, generators, impact, law, pair, run, scene, shape, world]
+
+
+@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, *MODULES])
 def test_examples_in_docstrings(module):
     names = {name: getattr(halfspace, name) for name in halfspace.__all__}
     result = doctest.testmod(module, extraglobs=names)
@@ -20,13 +23,16 @@ def test_examples_in_docstrings(module):
 
 
 @pytest.mark.skipif(not README.exists(), reason="the wheel is tested without the source tree")
-def test_programs_in_the_readme(capsys):
+def test_programs_in_the_readme(capsys, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib").use("Agg")
+    (tmp_path / "docs").symlink_to(README.parents[2] / "docs")
+    monkeypatch.chdir(tmp_path)
     names = {}
     for program in re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL):
         exec(program, names)
     assert names["contact"].gap == -0.125
     assert "EDGE_EDGE -0.125" in capsys.readouterr().out
+    assert (tmp_path / "out" / "frame_0000_contacts.vtp").exists()
 
 
 @pytest.mark.skipif(not SYMBOLS.exists(), reason="the wheel is tested without the source tree")
