@@ -81,6 +81,7 @@ class ActedOn(Statics):
         """
         name = None if block is None else block_id(block, "block")
         definition = self._action(kind, table, start, scale, at, carried, max_speed)
+        self._given.beyond_scenes.add("actions")
         self._call(library.hs_world_add_action, name or 0, definition)
 
     def end_actions(self, block: Optional[int]) -> None:
@@ -150,6 +151,7 @@ class ActedOn(Statics):
         if set(axes) - set(_AXES):
             raise ValueError(f'axes is "{axes}"; it must consist of x, y, z and r')
         bits = sum(_AXES[axis] for axis in set(axes))
+        self._given.beyond_scenes.add("held blocks")
         self._call(library.hs_world_hold_block, block_id(block, "block"), bits)
 
     def prescribe_velocities(

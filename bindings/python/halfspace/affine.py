@@ -68,6 +68,7 @@ class AffineBlocks(BlockArrays):
         """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
         self._given.see(f"material[{material}]", elasticity)
+        self._given.elasticities[f"material[{material}]"] = elasticity
 
     def deformation(self, block: int) -> Deformation:
         """Returns deformation and stress of a block of any kind: a record of `DEFORMATION`.
@@ -103,6 +104,7 @@ class AffineBlocks(BlockArrays):
     def set_stress(self, block: int, stress: ArrayLike) -> None:
         """Sets the current Cauchy stress of an affine block, e.g. the in situ stress; symmetric, Pa, tension > 0.
         Later strain adds to it."""
+        self._given.beyond_scenes.add("stresses")
         self._call(library.hs_world_set_stress, block_id(block, "block"), tensor(stress, "stress"))
 
     def add_surface_load(self, block: int, face: int, traction: ArrayLike) -> None:
@@ -118,6 +120,7 @@ class AffineBlocks(BlockArrays):
         traction : array_like
             Force per area of the face as it was given, Pa.
         """
+        self._given.beyond_scenes.add("surface loads")
         self._call(
             library.hs_world_add_surface_load,
             block_id(block, "block"),

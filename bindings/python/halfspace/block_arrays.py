@@ -157,6 +157,7 @@ class BlockArrays(Handle):
                 if about.shape != wanted:
                     raise ValueError(f"torques has the shape {about.shape}; it must be {wanted}")
                 turns[:, 2 if self.dimension == 2 else slice(None)] = about
+            self._given.beyond_scenes.add("applied forces")
             take = np.isin(states["kind"], (BlockKind.RIGID, BlockKind.AFFINE))
             triple = ctypes.c_double * 3
             for block, force, torque in zip(self.blocks[take].tolist(), given[take], turns[take]):

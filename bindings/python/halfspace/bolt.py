@@ -66,6 +66,7 @@ class BoltedBlocks(BondedBlocks):
         struct.place_a[:] = vector(place_a, "place_a")[:]
         struct.place_b[:] = vector(place_b, "place_b")[:]
         number = ctypes.c_int64()
+        self._given.beyond_scenes.add("bolts")
         self._call(library.hs_world_add_bolt, struct, ctypes.byref(number))
         return number.value
 

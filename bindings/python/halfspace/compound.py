@@ -103,6 +103,7 @@ class CompoundBlocks(Statics):
                 len(owners),
             )
             set_start(definition, position, angle, rotation, kind, material, velocity, angular_velocity)
+            self._given.beyond_scenes.add("compounds")
             self._call(
                 library.hs_world_add_compound, handles, given, len(owners), definition, ctypes.byref(block)
             )

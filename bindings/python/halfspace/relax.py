@@ -75,6 +75,7 @@ class Statics(WetBlocks):
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
         """Sets local and mass damping, see `World`."""
         self._call(library.hs_world_set_damping, local_damping, mass_damping)
+        self._given.settings["local_damping"] = local_damping
         self._given.see("mass_damping", mass_damping)
 
     def set_time_step(self, time_step: float) -> None:

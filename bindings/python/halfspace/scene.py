@@ -16,6 +16,7 @@ from .results import RunResult, SafetyResult, read_history
 from .shape import Shape
 from .sweep import Sweep, sweep_of
 from .world import World
+from .world_tables import tables_of
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: Called with the world of a run; False ends the run.
@@ -89,6 +90,27 @@ class Scene:
             return cls(toml_text(tables), settings)
         except SceneError as error:  # the places in a text that nobody wrote say nothing
             raise SceneError(error.status, re.sub(r"(?m)^scene:\d+:\d+: ", "", error.message)) from None
+
+    @classmethod
+    def from_world(cls, world: World, duration: float = 1.0) -> "Scene":
+        """Makes a scene of the blocks, materials and laws of a world, at their current poses and velocities. It runs
+        for `duration` seconds.
+
+        Raises
+        ------
+        ValueError
+            The world has meshes, bonds, compounds, bolts, water, actions or loads, or comes from a snapshot.
+
+        Examples
+        --------
+        >>> from halfspace import stack
+        >>> world = World()
+        >>> stone = world.add_material(density=2000)
+        >>> blocks = world.add_blocks(stack((1, 1), count=2))
+        >>> Scene.from_world(world).run().max_displacement > 4.9
+        True
+        """
+        return cls.from_dict(tables_of(world, duration))
 
     def with_settings(self, settings: Settings) -> "Scene":
         """Returns the same scene with further settings."""

@@ -14,11 +14,11 @@ from ._library import library
 from ._record import Records, empty_record, empty_records
 from .action import ActedOn
 from .block_arrays import Floats
-from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
 from .compound import CompoundBlocks, set_start
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
+from .notes import notes_on
 from .plot import picture_by, plot_blocks
 from .plot_space import plot_solids
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
@@ -131,6 +131,7 @@ class World(ActedOn, CompoundBlocks, Runs):
             if value is not None:
                 setattr(definition, name, value)
         self._make(context, dimension, library.hs_world_create, definition)
+        self._given.settings = settings
         self._given.see("gravity", np.array(definition.gravity[:]))
         for name in ("mass_damping", "time_step", "sleep_tolerance"):
             self._given.see(name, getattr(definition, name))
@@ -355,6 +356,7 @@ class World(ActedOn, CompoundBlocks, Runs):
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
         """Sets the external force at the centroid, N, and torque, N m, of a rigid or affine block, until set again."""
+        self._given.beyond_scenes.add("applied forces")
         self._call(
             library.hs_world_set_applied_force,
             block_id(block, "block"),
@@ -437,11 +439,13 @@ class World(ActedOn, CompoundBlocks, Runs):
         return cast(WorldPlan, array[0])
 
     def check(self) -> List[str]:
-        """Returns notes on unusual settings: values in a wrong unit (a density in t/m3, a cohesion in MPa), gravity
-        that does not point down, blocks without support, bonds that were not made, a time step above the stable one,
-        settings of impulses that have no effect. Empty if there is nothing unusual; nothing is changed.
+        """Returns notes on unusual input: those of ``halfspace check`` (docs/scenes/notes.md), in the words of scenes,
+        whose angles are in degrees, and on bonds that were not made. Empty if there is nothing unusual; nothing is
+        changed.
 
-        For a world from `restore`, gravity, materials and laws are not checked.
+        Worlds that `Scene.from_world` refuses, as those with meshes, have fewer notes: on values in a wrong unit,
+        gravity, support, sizes, the time step, and settings of impulses. For a world from `restore`, gravity,
+        materials and laws are not checked.
 
         Examples
         --------
@@ -450,36 +454,7 @@ class World(ActedOn, CompoundBlocks, Runs):
         >>> world.check()
         ['material[0].density: 2.7 is unusual; usual: 50 to 19500 kg/m3, 2700 of rock']
         """
-        given = self._given
-        with held(self):
-            boxes, velocities = self._boxes(), self.velocities
-            report = self.report
-        gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
-        return [
-            *self._notes_of_scene,
-            *given.unusual(),
-            *notes_on_gravity(gravity, self.dimension),
-            *notes_on_support(boxes, gravity, velocities),
-            *notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0)),
-            *notes_on_impulses(given, boxes),
-            *notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step)),
-            *(f"{name} made no bond; usual: blocks with a common face" for name in given.empty_bonds),
-        ]
-
-    def _boxes(self) -> Boxes:
-        ids, outlines = self._outlined()
-        gravity = np.asarray(self._given.values.get("gravity", np.zeros(3)))
-        along = "xyz"[int(np.argmax(np.abs(gravity)))]
-        low, high = np.empty((2, len(ids), self.dimension))
-        moves, holds, deforms = np.zeros((3, len(ids)), bool)
-        for i, block in enumerate(ids):
-            low[i], high[i] = outlines[i].min(axis=0), outlines[i].max(axis=0)
-            kind = BlockKind(self.state(int(block)).kind)
-            moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
-            deforms[i] = kind in (BlockKind.AFFINE, BlockKind.MESH)
-            body = self.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
-            holds[i] = not moves[i] or along in self._given.held.get(body, "")
-        return Boxes(ids, low, high, moves, holds, deforms)
+        return notes_on(self)
 
     def _outlined(self) -> Tuple[NDArray[np.uint64], List[Floats]]:
         """All blocks but compounds, which have no vertices of their own, and their vertices."""
