@@ -12,6 +12,7 @@ Examples
 -0.125
 """
 from ._arrays import pose
+from ._help import wrap_signatures
 from ._library import status_text, version
 from .affine import Elasticity
 from .bolt import Bolt
@@ -155,3 +156,5 @@ __all__ = [
     "voronoi",
     "wall",
 ]
+
+wrap_signatures(globals()[name] for name in __all__)

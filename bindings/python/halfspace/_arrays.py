@@ -1,4 +1,6 @@
 """NumPy arrays as views for the library, without copies."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import struct

@@ -2,6 +2,8 @@
 
 Search order: the file of the environment variable HALFSPACE_LIBRARY; the library bundled in this package; the one
 installed in the same prefix; the one that the system's loader finds."""
+from __future__ import annotations
+
 import ctypes
 import os
 import pathlib

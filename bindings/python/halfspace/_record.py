@@ -1,4 +1,6 @@
 """Records: structs of the library as NumPy scalars with fields as attributes."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import textwrap

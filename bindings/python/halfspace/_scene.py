@@ -2,6 +2,8 @@
 
 Search order: the one bundled in this package; the folder of the library of the kernel, as both are installed together;
 the system's loader."""
+from __future__ import annotations
+
 import ctypes
 import functools
 import pathlib

@@ -1,4 +1,6 @@
 """Python values as TOML, for scenes."""
+from __future__ import annotations
+
 import math
 from typing import Any, Iterator, List, Mapping, Sequence, Union
 

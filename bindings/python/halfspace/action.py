@@ -1,4 +1,6 @@
 """Motions and loads in time: tables that blocks and nodes follow, force control, and held axes."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Union
 

@@ -1,4 +1,6 @@
 """Affine blocks: blocks with uniform strain and stress."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 from typing import Optional, Union, cast

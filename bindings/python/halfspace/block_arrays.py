@@ -1,4 +1,6 @@
 """Arrays of all blocks of a world."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Callable, Optional, Tuple
 

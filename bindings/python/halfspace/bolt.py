@@ -1,4 +1,6 @@
 """Bolts and cables: lines between two places that blocks carry, or between a block and the ground."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 import operator

@@ -1,4 +1,6 @@
 """Bonds: breakable connections of blocks along their common faces."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 from typing import cast

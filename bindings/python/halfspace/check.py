@@ -1,4 +1,6 @@
 """Unusual settings of a world that are allowed."""
+from __future__ import annotations
+
 import dataclasses
 import math
 from typing import Any, Dict, Iterator, List, Optional, Set, Tuple

@@ -1,4 +1,6 @@
 """Compounds: concave blocks of several convex parts."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Sequence, Tuple, Union
 

@@ -1,4 +1,6 @@
 """Exceptions of failed calls. The text is that of the library: function, argument and value."""
+from __future__ import annotations
+
 from typing import Any, Dict, List, Tuple, Type
 
 from . import _raw

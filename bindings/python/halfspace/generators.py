@@ -1,4 +1,6 @@
 """Blocks of rock, masonry and piles: lists of shapes in place, for `World.add_blocks`."""
+from __future__ import annotations
+
 import math
 from typing import Any, List, Mapping, Optional, Sequence
 

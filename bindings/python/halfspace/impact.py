@@ -1,4 +1,6 @@
 """Time of impact of two moving shapes."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 from typing import Optional, cast

@@ -1,4 +1,6 @@
 """Bodies of finite elements."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Sequence, Tuple, Union, cast
 

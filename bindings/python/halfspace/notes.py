@@ -1,4 +1,6 @@
 """Notes on unusual input of a world: those of the command, where a scene can describe the world."""
+from __future__ import annotations
+
 import re
 from typing import TYPE_CHECKING, Iterator, List
 

@@ -1,4 +1,6 @@
 """Contact detection of one pair or many pairs, for hosts with their own bodies."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Sequence, cast
 

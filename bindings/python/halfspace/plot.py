@@ -1,4 +1,6 @@
 """Pictures of 2D worlds and contacts by matplotlib, an optional dependency."""
+from __future__ import annotations
+
 import io
 from typing import Any, Callable, Optional, Sequence, Tuple
 

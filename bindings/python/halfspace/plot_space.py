@@ -1,4 +1,6 @@
 """Pictures of 3D worlds by matplotlib, an optional dependency."""
+from __future__ import annotations
+
 from typing import Any, List, Sequence
 
 import numpy as np

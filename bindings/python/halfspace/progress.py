@@ -1,4 +1,6 @@
 """A progress bar in a terminal or a notebook."""
+from __future__ import annotations
+
 import html
 import sys
 import time

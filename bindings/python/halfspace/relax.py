@@ -1,4 +1,6 @@
 """Dynamic relaxation, changes of settings, and strength reduction."""
+from __future__ import annotations
+
 import ctypes
 from typing import Tuple, Union, cast
 

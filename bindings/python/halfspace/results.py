@@ -1,4 +1,6 @@
 """Results of runs and searches of a scene."""
+from __future__ import annotations
+
 import csv
 import dataclasses
 import math

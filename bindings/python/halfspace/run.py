@@ -1,4 +1,6 @@
 """Runs of a world in time, and files of its blocks."""
+from __future__ import annotations
+
 import ctypes
 import os
 import time

@@ -1,4 +1,6 @@
 """Scenes: the input of the command `halfspace`, read, run and studied by the same code."""
+from __future__ import annotations
+
 import contextlib
 import ctypes
 import os

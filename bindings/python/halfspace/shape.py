@@ -1,4 +1,6 @@
 """Convex polygons and polyhedra."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Callable, List, Optional, Sequence, Tuple, cast
 

@@ -1,4 +1,6 @@
 """Runs of a scene for all combinations of values."""
+from __future__ import annotations
+
 import concurrent.futures
 import csv
 import dataclasses

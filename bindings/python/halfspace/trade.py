@@ -14,6 +14,8 @@ reference::
                   settings=grid(safety=[1, 0.5, 0.25], stiffness=[1e7, 1e8, 1e9]))
     print(found.cheapest(1e-3).setting)
 """
+from __future__ import annotations
+
 import dataclasses
 import itertools
 import json

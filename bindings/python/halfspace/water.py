@@ -1,4 +1,6 @@
 """Water below a table."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Tuple
 

@@ -1,4 +1,6 @@
 """A world of blocks, stepped by the library or by an integrator of the host."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import time

@@ -1,4 +1,6 @@
 """The tables of a scene that describe a world."""
+from __future__ import annotations
+
 import dataclasses
 import math
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping

@@ -1,6 +1,8 @@
 """Programs in the README and examples in docstrings work."""
 import doctest
+import inspect
 import pathlib
+import pydoc
 import re
 
 import pytest
@@ -55,3 +57,12 @@ def test_everything_public_is_documented():
                     callable(value) or isinstance(value, (property, classmethod))
                 ):
                     assert getattr(member, attribute).__doc__, f"{name}.{attribute}"
+
+
+def test_lines_of_help_fit_a_screen():
+    for name in halfspace.__all__:
+        for line in pydoc.plain(pydoc.render_doc(getattr(halfspace, name))).splitlines():
+            assert len(line) <= 120, f"{name}: {line}"
+    signature = str(inspect.signature(halfspace.World.add_block))
+    assert "    kind: Union[BlockKind, str] = BlockKind.RIGID,\n" in signature and signature.endswith("\n) -> int")
+    assert str(inspect.signature(halfspace.World.step)) == "(self, steps: int = 1) -> None"
