@@ -22,7 +22,7 @@ _OF_NO_WORLD = ("world.duration: ", "output.")
 def notes_on(world: "World") -> List[str]:
     """The notes of the scene that the world was made of; else those of the scene that describes it."""
     with held(world):
-        if world._notes_of_scene:
+        if world._notes_of_scene is not None:
             return list(world._notes_of_scene)
         start = _notes_by_tables(world) if unwritten_parts(world) else _notes_of_command(world)
     return [*start, *(f"{name} made no bond; usual: blocks with a common face" for name in world._given.empty_bonds)]

@@ -29,7 +29,7 @@ class Runs(BlockArrays):
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
         self._names: Dict[int, str] = {}
-        self._notes_of_scene: List[str] = []
+        self._notes_of_scene: Optional[List[str]] = None  # of the scene that the world was made of
 
     @property
     def report(self) -> WorldReport:

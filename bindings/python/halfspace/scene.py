@@ -10,10 +10,10 @@ import tempfile
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _raw, _scene
+from ._callbacks import Callback, Callbacks
 from ._toml import Settings, settings_of, toml_text
 from .context import Context, default_context
 from .errors import SceneError, TooFastError, UnstableError
-from .progress import ProgressBar
 from .results import RunResult, SafetyResult, read_history
 from .shape import Shape
 from .sweep import Sweep, sweep_of
@@ -21,9 +21,6 @@ from .world import World
 from .world_tables import tables_of
 
 PathLike = Union[str, "os.PathLike[str]"]
-#: Called with the world of a run; False ends the run.
-Callback = Callable[[World], Optional[bool]]
-
 _ENDS = ("complete", "at rest", "interrupted", "unstable", "too fast", "not found")
 
 
@@ -209,7 +206,7 @@ class Scene:
             The time step is too large. The output up to there is kept.
         """
         scene = self if every is None else self.with_settings({"output.history_interval": every})
-        with _directory(output) as directory, scene._in(context) as (owner, address), _Callbacks(
+        with _directory(output) as directory, scene._in(context) as (owner, address), Callbacks(
             progress, callback, scene._worlds_in(owner)
         ) as calls:
             start = None if resume_from is None else os.fsencode(resume_from)
@@ -217,7 +214,7 @@ class Scene:
             found, pointer = _scene.hs_scene_run_result(), ctypes.POINTER(_raw.hs_world)()
             scene._handle.call("run", address, ctypes.byref(definition), ctypes.byref(found), ctypes.byref(pointer))
             world = scene._owned(owner, pointer)
-            calls.end()
+            calls.end(_ENDS[found.end])
             scene._raise_trouble(_ENDS[found.end])
             return RunResult(
                 end=_ENDS[found.end],
@@ -265,13 +262,13 @@ class Scene:
         progress, context :
             As in `run`.
         """
-        with _directory(output) as directory, self._in(context) as (_, address), _Callbacks(progress) as calls:
+        with _directory(output) as directory, self._in(context) as (_, address), Callbacks(progress) as calls:
             definition = _scene.hs_scene_safety_def(
                 low, high, resolution, limit, os.fsencode(directory), replace, resume, calls.progress
             )
             found = _scene.hs_scene_safety_result()
             self._handle.call("find_safety", address, ctypes.byref(definition), ctypes.byref(found))
-            calls.end()
+            calls.end(_ENDS[found.end])
             report = self._handle.text(_scene.TEXT_REPORT)
             return SafetyResult(_ENDS[found.end], found.stable, found.falls, report)
 
@@ -344,65 +341,6 @@ def _directory(output: Optional[PathLike]) -> Iterator[str]:
         return
     with tempfile.TemporaryDirectory(prefix="halfspace") as directory:
         yield directory
-
-
-class _Callbacks:
-    """The callbacks of a run. An exception in one of them, also Ctrl-C, ends the run and is raised after it."""
-
-    def __init__(
-        self,
-        shows_progress: bool,
-        callback: Optional[Callback] = None,
-        world_at: Optional[Callable[[Any], World]] = None,
-    ) -> None:
-        self._bar = ProgressBar() if shows_progress else None
-        self._callback, self._world_at = callback, world_at
-        self._error: Optional[BaseException] = None
-        # Without a bar, too, as Python handles signals during these calls.
-        self.progress = _scene.PROGRESS(self._on_progress)
-        row: Any = self._on_row if callback else 0
-        self.row = _scene.ROW(row)
-        self._where = ""
-
-    def __enter__(self) -> "_Callbacks":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar:
-            self._bar.close()
-
-    def _on_progress(self, _: Any, fraction: float, where: bytes) -> int:
-        self._where = where.decode()
-        return self._ends(lambda: self._show(fraction))
-
-    def _show(self, fraction: float) -> None:
-        if self._bar:
-            self._bar.show(fraction, self._where)
-
-    def _on_row(self, _: Any, pointer: Any) -> int:
-        assert self._callback and self._world_at
-        callback, world_at = self._callback, self._world_at
-
-        def follow() -> Any:
-            with world_at(pointer) as world:
-                return callback(world)
-
-        return self._ends(follow)
-
-    def _ends(self, call: Callable[[], Any]) -> int:
-        if self._error is not None:
-            return 1
-        try:
-            return 1 if call() is False else 0
-        except BaseException as error:  # whatever it is, it must not pass through C
-            self._error = error
-            return 1
-
-    def end(self) -> None:
-        """Raises the exception of a callback, or completes the bar."""
-        if self._error is not None:
-            raise self._error
-        self._show(1.0)
 
 
 def shapes_of(tables: Mapping[str, Any], context: Optional[Context] = None) -> List[Shape]:

@@ -195,7 +195,7 @@ class World(ActedOn, CompoundBlocks, Runs):
     def __copy__(self) -> "World":
         other = World.restore(self.save(), context=self.context)
         other._given = self._given.copy()
-        other._names, other._notes_of_scene = dict(self._names), list(self._notes_of_scene)
+        other._names, other._notes_of_scene = dict(self._names), self._notes_of_scene
         return other
 
     def __deepcopy__(self, _: Dict[int, Any]) -> "World":
