@@ -28,7 +28,7 @@ def record(struct):
              "    Attributes", "    ----------"]
     for field in meanings.read_fields(struct):
         lines += [f"    {field['name']} : {type_of(struct, field)}", *wrapped(field["comment"], "        ")]
-    lines += ['    """', "", *map(annotated, meanings.read_fields(struct)), ""]
+    lines += ['    """', "", *(annotated(struct, field) for field in meanings.read_fields(struct)), ""]
     kinds = [f'"{field["name"]}": constants.{kind_of(struct, field)}'
              for field in struct["fields"] if kind_of(struct, field)]
     if kinds:
@@ -41,15 +41,17 @@ def kind_of(struct, field):
     return meanings.ENUMERATIONS.get(meanings.of(struct, field), (None, None))[1]
 
 
-def annotated(field):
+def annotated(struct, field):
     """The field with its type, for editors and type checkers."""
     ignored = "  # type: ignore[assignment]" if field["name"] in METHODS_OF_NUMPY else ""
-    return f"    {field['name']}: {annotation_of(field)}{ignored}"
+    return f"    {field['name']}: {annotation_of(struct, field)}{ignored}"
 
 
-def annotation_of(field):
+def annotation_of(struct, field):
     if field["dimensions"]:
         return "Floats"  # no array of integers is in a record
+    if kind_of(struct, field):
+        return f"constants.{kind_of(struct, field)}"
     return "float" if field["of"] == "double" else class_of(field) or "int"
 
 

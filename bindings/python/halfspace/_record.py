@@ -5,7 +5,7 @@ import ctypes
 import operator
 import textwrap
 from enum import IntEnum, IntFlag
-from typing import TYPE_CHECKING, Any, Dict, List, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,9 +93,21 @@ def record_type(record: Type[Record], structure: Any) -> Any:
         }
     )
     for name in names:  # also names of NumPy methods, e.g. `mean`
-        setattr(record, name, property(operator.itemgetter(name)))
+        setattr(record, name, property(_getter(name, record._kinds.get(name))))
     _types[structure] = np.dtype((record, plain))
     return _types[structure]
+
+
+def _getter(name: str, kind: Optional[_Kind]) -> Callable[[Any], Any]:
+    """Reads a field; a constant as a member of its enumeration, if it is of this version."""
+    read = operator.itemgetter(name)
+    if kind is None:
+        return read
+    members = {int(member): member for member in kind.__members__.values()}
+    if issubclass(kind, IntFlag):
+        flags = kind
+        return lambda record: flags(int(read(record)))
+    return lambda record: members.get(int(read(record)), read(record))
 
 
 def _format_of(declared: Any) -> Any:

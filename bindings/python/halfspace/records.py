@@ -81,9 +81,9 @@ class Contact(Record):
 
     block_a: int
     block_b: int
-    type: int
+    type: constants.ContactType
     point_count: int
-    pair_kind: int
+    pair_kind: constants.PairKind
     feature_a: int
     feature_b: int
     normal: Floats
@@ -121,7 +121,7 @@ class Fault(Record):
         index of the faulty face in the caller's list; -1: none
     """
 
-    kind: int
+    kind: constants.Fault
     vertex: int
     face: int
 
@@ -245,7 +245,7 @@ class BlockState(Record):
         kg, in 2D per unit thickness; 0 for a part of a compound
     """
 
-    kind: int
+    kind: constants.BlockKind
     material: int
     pose: Pose
     angle: float
@@ -623,7 +623,7 @@ class BondEvent(Record):
 
     bond: int
     step: int
-    failure: int
+    failure: constants.BondFailure
     point: int
     time: float
     position: Floats
@@ -692,8 +692,8 @@ class Impact(Record):
         centroid of the contact region
     """
 
-    state: int
-    pair_kind: int
+    state: constants.ImpactState
+    pair_kind: constants.PairKind
     feature_a: int
     feature_b: int
     time: float
@@ -741,7 +741,7 @@ class PairCache(Record):
     """
 
     state: int
-    pair_kind: int
+    pair_kind: constants.PairKind
     feature_a: int
     feature_b: int
     shapes: int
@@ -830,7 +830,7 @@ class WorldPlan(Record):
     """
 
     dimension: int
-    parts: int
+    parts: constants.WorldPart
     fixed_count: int
     prescribed_count: int
     rigid_count: int

@@ -435,7 +435,7 @@ class World(ActedOn, CompoundBlocks, Runs):
     def plan(self, steps: int = 0) -> WorldPlan:
         """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.
 
-        Its times are measured over `steps` steps of a copy. ``WorldPart(int(plan.parts))`` has the active parts."""
+        Its times are measured over `steps` steps of a copy. ``plan.parts`` are the active parts, a `WorldPart`."""
         array, address = empty_record(WORLD_PLAN)
         self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
         return cast(WorldPlan, array[0])
