@@ -24,6 +24,7 @@ from ctypes import (
     c_uint64,
     c_void_p,
 )
+from typing import Any
 '''
 
 
@@ -91,7 +92,7 @@ def field_type(field):
 
 
 def declare(api):
-    lines = ["", "def declare(library):",
+    lines = ["", "def declare(library: Any) -> None:",
              '    """Says which types the functions of a loaded library take and return."""']
     for function in api["functions"]:
         called = f"library.{function['name']}"

@@ -7,8 +7,9 @@ HEAD = '''\
 """The library's reports and states, field by field as in the headers of C: for each a class of records, which print
 their names and values, and its NumPy data type. Nine numbers in a row are a tensor of shape (3, 3)."""
 from . import _raw, constants
-from ._record import Record, record_type
+from ._record import Floats, Record, record_type
 '''
+METHODS_OF_NUMPY = ("mean",)  # that a field replaces
 NOT_READ = ("_def", "_options", "_view")  # a host fills these
 
 
@@ -27,7 +28,7 @@ def record(struct):
              "    Attributes", "    ----------"]
     for field in meanings.read_fields(struct):
         lines += [f"    {field['name']} : {type_of(struct, field)}", *wrapped(field["comment"], "        ")]
-    lines += ['    """', ""]
+    lines += ['    """', "", *(annotated(struct, field) for field in meanings.read_fields(struct)), ""]
     kinds = [f'"{field["name"]}": constants.{kind_of(struct, field)}'
              for field in struct["fields"] if kind_of(struct, field)]
     if kinds:
@@ -40,6 +41,26 @@ def kind_of(struct, field):
     return meanings.ENUMERATIONS.get(meanings.of(struct, field), (None, None))[1]
 
 
+def annotated(struct, field):
+    """The field with its type, for editors and type checkers."""
+    ignored = "  # type: ignore[assignment]" if field["name"] in METHODS_OF_NUMPY else ""
+    return f"    {field['name']}: {annotation_of(struct, field)}{ignored}"
+
+
+def annotation_of(struct, field):
+    if field["dimensions"]:
+        return "Floats"  # no array of integers is in a record
+    if kind_of(struct, field):
+        return f"constants.{kind_of(struct, field)}"
+    return "float" if field["of"] == "double" else class_of(field) or "int"
+
+
+def class_of(field):
+    """The class of a field that is a struct, or None."""
+    is_struct = field["of"].startswith("hs_") and not field["of"] in ("hs_block", "hs_body")
+    return meanings.camel(field["of"].removeprefix("hs_")) if is_struct else None
+
+
 def type_of(struct, field):
     """In words."""
     if field["dimensions"]:
@@ -47,5 +68,4 @@ def type_of(struct, field):
         return f"array, shape {shape}"
     if field["of"] == "double":
         return "float"
-    is_struct = field["of"].startswith("hs_") and not field["of"] in ("hs_block", "hs_body")
-    return kind_of(struct, field) or (meanings.camel(field["of"].removeprefix("hs_")) if is_struct else "int")
+    return kind_of(struct, field) or class_of(field) or "int"

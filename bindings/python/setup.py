@@ -6,7 +6,7 @@ from setuptools import Distribution, setup
 from wheel.bdist_wheel import bdist_wheel
 
 PACKAGE = pathlib.Path(__file__).parent / "halfspace"
-BUNDLED = any(PACKAGE.glob("*.so*"))
+BUNDLED = any(PACKAGE.glob("**/*.so*"))
 VERSION = re.search(
     r"libhalfspace (\d+\.\d+\.\d+) ", (PACKAGE / "_raw.py").read_text(encoding="utf-8")
 ).group(1)

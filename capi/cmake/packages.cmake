@@ -53,10 +53,17 @@ if(HALFSPACE_BUILD_CLI)
   halfspace_package(tools NAME halfspace-tools SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
     CONTENT "the command halfspace, which runs scene files, and its viewer" COMPILED_IN cli11 three tomlplusplus)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)  # it has the viewer's library
+  set(scene_library libhalfspace-scene${HALFSPACE_SOVERSION})
+  halfspace_package(scene NAME ${scene_library} SECTION libs DEPENDS "${this_library}" SHARED_LIBRARIES
+    CONTENT "the library of scene files, which Python loads" COMPILED_IN tomlplusplus)
+  set(CPACK_DEBIAN_SCENE_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    ", ${scene_library} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+  set(scene_for_python ", ${scene_library} (>= ${PROJECT_VERSION})")
 endif()
 if(HALFSPACE_BUILD_PYTHON)
   halfspace_package(python NAME python3-halfspace SECTION python ANY_MACHINE
-    DEPENDS "${library} (>= ${PROJECT_VERSION}), python3 (>= 3.9), python3-numpy" CONTENT "the Python package")
+    DEPENDS "${library} (>= ${PROJECT_VERSION})${scene_for_python}, python3 (>= 3.9), python3-numpy" CONTENT "the Python package")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, halfspace-tools")
   # Byte code comes and goes with the package.
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/bindings/python/debian/postinst

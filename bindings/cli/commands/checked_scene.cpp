@@ -8,11 +8,17 @@
 
 namespace halfspace::cli {
 
+namespace {
+
+std::string bytes_in(const SceneFile& file) { return file.content ? *file.content : content_of(file.path); }
+
+}  // namespace
+
 void print(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
 CheckedScene read(const SceneFile& file, int threads) {
   CheckedScene checked;
-  checked.scene = read_scene(file.path, checked.faults, file.settings);
+  checked.scene = read_scene_text(bytes_in(file), file.path, checked.faults, file.settings);
   if (threads > 0) checked.scene.threads = threads;
   checked.context = make_context(checked.scene.threads);
   return checked;
@@ -35,7 +41,7 @@ int refuse(const SceneFile& file, const Faults& faults) {
 }
 
 std::string bytes_of(const SceneFile& file, const Scene& scene) {
-  std::string bytes = content_of(file.path);
+  std::string bytes = bytes_in(file);
   for (const std::string& setting : file.settings) bytes += '\n' + setting;
   for (const Block& block : scene.blocks)
     if (!block.file.empty()) bytes += content_of(block.file);

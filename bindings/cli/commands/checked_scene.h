@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_unstable = 3 
 /// A scene as the command line names it.
 struct SceneFile {
   std::string path;
-  std::vector<std::string> settings = {};  ///< `key=value`, which replace values of the file
+  std::vector<std::string> settings = {};   ///< `key=value`, which replace values of the file
+  std::optional<std::string> content = {};  ///< instead of the bytes of the file
 };
 
 /// A scene, its blocks and the context that owns them; complete only without faults.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/interrupt.h"
 #include "model/model.h"
 #include "notes/notes.h"
 #include "run/checkpoint.h"
@@ -41,6 +42,18 @@ OutputDirectory directory_of(const Target& target, bool resumes, const std::stri
   return OutputDirectory(target.directory, resumes ? Earlier::keep : target.earlier);
 }
 
+RunStart begin_run(const Target& target, RunOptions options, const std::string& from) {
+  Earlier earlier = target.earlier;
+  if (!from.empty()) {
+    options.from = open_checkpoint(from);
+    const bool is_same = is_in(from, target.directory);
+    if (is_same) earlier = Earlier::keep;
+    options.resumes_in_place =
+        is_same && std::filesystem::exists(std::filesystem::path(target.directory) / frame_name(0));
+  }
+  return {std::move(options), OutputDirectory(target.directory, earlier)};
+}
+
 int check(const SceneFile& file) {
   CheckedScene checked = load(file, 1);
   if (!checked.faults.none()) return refuse(file, checked.faults);
@@ -57,19 +70,13 @@ int run(const SceneFile& file, const Target& target, RunOptions options, const s
         RunResult& result) {
   CheckedScene checked = load(file, target.threads);
   if (!checked.faults.none()) return refuse(file, checked.faults);
-  const std::string& output = target.directory;
-  Earlier earlier = target.earlier;
-  if (!from.empty()) {
-    options.from = open_checkpoint(from);
-    if (is_in(from, output)) earlier = Earlier::keep;
-    options.resumes_in_place =
-        is_in(from, output) && std::filesystem::exists(std::filesystem::path(output) / frame_name(0));
-  }
-  OutputDirectory directory(output, earlier);
+  RunStart start = begin_run(target, std::move(options), from);
+  OutputDirectory& directory = start.directory;
   Model model(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
-  result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), options, directory);
+  remember_interrupts();
+  result = run_scene(checked.scene, model, checked.faults.describe_notes("scene"), start.options, directory);
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
@@ -138,6 +145,7 @@ int safety(const SceneFile& file, const Target& target, const SearchOptions& opt
   const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));
   note_start(checked.context, checked.scene, *model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
+  remember_interrupts();
   result = find_factor_of_safety(checked.scene, model, bytes_of(file, checked.scene), options, directory);
   print(stdout, result.report);
   if (result.end == SearchEnd::interrupted) print(stderr, "\nhalfspace: interrupted; --resume continues\n");

@@ -24,6 +24,13 @@ struct Target {
 /// The directory of a study, which continues from a file in it or begins.
 OutputDirectory directory_of(const Target& target, bool resumes, const std::string& file);
 
+/// The directory of a run, and its options with the state of the checkpoint, unless `from` is empty.
+struct RunStart {
+  RunOptions options;
+  OutputDirectory directory;
+};
+RunStart begin_run(const Target& target, RunOptions options, const std::string& from);
+
 int check(const SceneFile& file);
 
 /// From a checkpoint, unless `from` is empty.

@@ -166,7 +166,6 @@ class Maker {
 SearchResult find_value(const Scene& scene, const Maker& maker, const std::string& varied,
                         const std::string& first_lines, const std::string& bytes,
                         const SearchOptions& options, OutputDirectory& directory) {
-  remember_interrupts();
   Progress progress;
   const std::string sought = options.smallest ? "smallest value" : "largest value";
   return search(
@@ -195,6 +194,7 @@ int find_limit(SceneFile file, const Target& target, const LimitOptions& options
       .smallest = options.smallest,
       .resumes = options.resumes};
   checked.scene.settings = joined(file.settings);  // without the value that is varied
+  remember_interrupts();
   SearchResult result;
   if (options.tilts) {
     const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));

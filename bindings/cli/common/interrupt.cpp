@@ -9,6 +9,8 @@ namespace {
 volatile std::sig_atomic_t requested = 0;
 void request(int) { requested = 1; }
 
+thread_local bool is_thread_interrupted = false;
+
 }  // namespace
 
 void remember_interrupts() {
@@ -18,6 +20,8 @@ void remember_interrupts() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-bool interrupt_requested() { return requested != 0; }
+void interrupt_this_thread(bool is_interrupted) { is_thread_interrupted = is_interrupted; }
+
+bool interrupt_requested() { return requested != 0 || is_thread_interrupted; }
 
 }  // namespace halfspace::cli

@@ -7,7 +7,10 @@ namespace halfspace::cli {
 /// SIGPIPE is ignored.
 void remember_interrupts();
 
-/// True once such a signal has arrived.
+/// Ends the work of the calling thread as a signal would; false before the next work.
+void interrupt_this_thread(bool is_interrupted);
+
+/// True once such a signal has arrived, or the calling thread is interrupted.
 bool interrupt_requested();
 
 }  // namespace halfspace::cli

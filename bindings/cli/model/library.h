@@ -19,14 +19,20 @@ class LibraryError : public std::runtime_error {
   hs_status status;
 };
 
+struct DestroyOwned {
+  bool is_owner = true;
+  void operator()(hs_context* context) const {
+    if (is_owner) hs_context_destroy(context);
+  }
+};
+
 struct Destroy {
-  void operator()(hs_context* context) const { hs_context_destroy(context); }
   void operator()(hs_shape* shape) const { hs_shape_destroy(shape); }
   void operator()(hs_world* world) const { hs_world_destroy(world); }
   void operator()(hs_mesh* mesh) const { hs_mesh_destroy(mesh); }
 };
 
-using Context = std::unique_ptr<hs_context, Destroy>;
+using Context = std::unique_ptr<hs_context, DestroyOwned>;
 using Shape = std::unique_ptr<hs_shape, Destroy>;
 using MeshHandle = std::unique_ptr<hs_mesh, Destroy>;
 using World = std::unique_ptr<hs_world, Destroy>;
@@ -36,6 +42,9 @@ void require(const Context& context, hs_status status);
 
 /// A context whose worlds use so many threads.
 Context make_context(int threads = 1);
+
+/// A context that another part of the program owns.
+inline Context borrowed(hs_context* context) { return Context(context, DestroyOwned{false}); }
 
 /// Views of points stored one after another; they must outlive the view.
 hs_view view_of(const std::vector<Point>& points);

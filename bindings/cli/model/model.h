@@ -63,6 +63,12 @@ class Model {
   /// Adds the state of a run to an archive, or restores it. @throws LibraryError, std::runtime_error
   void add_to(Archive& archive);
 
+  hs_world* world() const { return world_.get(); }
+  /// Hands the world over; the model has none from then on.
+  World release_world() { return std::move(world_); }
+  /// The name of each block of the world, cells included, in the order of hs_world_get_blocks().
+  std::vector<std::string> names() const;
+
   /// Restores a world from snapshot(). @throws LibraryError
   void restore(const std::string& world);
   /// Divides all strengths of the scene by a factor.

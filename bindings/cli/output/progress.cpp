@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "common/text.h"
 
@@ -35,13 +36,15 @@ std::string progress_line(double fraction, const std::string& where, double elap
   return line;
 }
 
-Progress::Progress() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(ProgressListener listener)
+    : listener_(std::move(listener)), on_terminal_(!listener_ && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (drawn_) std::fputs("\r\033[K", stderr);  // leaves a clean line
 }
 
 void Progress::show(double fraction, const std::string& where) {
+  if (listener_) return listener_(fraction, where);
   const Clock::time_point now = Clock::now();
   if (!on_terminal_ || (drawn_ && now - last_drawn_ < std::chrono::milliseconds(200))) return;
   const double elapsed = std::chrono::duration<double>(now - start_).count();

@@ -1,24 +1,30 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace halfspace::cli {
 
-/// A progress bar with the time left on standard error; nothing if that is no terminal.
+/// Receives the completed fraction and the position of the work.
+using ProgressListener = std::function<void(double fraction, const std::string& where)>;
+
+/// Passes progress to a listener. Without one it is a bar with the time left on standard error, or nothing if
+/// that is no terminal.
 class Progress {
  public:
-  Progress();
+  explicit Progress(ProgressListener listener = {});
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows the completed fraction and the position of the work. Redraws at most a few times per second.
+  /// Shows the completed fraction and the position of the work. A bar is redrawn a few times per second.
   void show(double fraction, const std::string& where);
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  ProgressListener listener_;
   bool on_terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();

@@ -57,7 +57,8 @@ void Every::add_to(Archive& archive, const Model& model) {
     count_ = std::floor((model.report().time + model.report().time_step / 2) / interval_) + 1;
 }
 
-Record::Record(const Scene& scene, const Model& model, OutputDirectory& directory)
+Record::Record(const Scene& scene, const Model& model, OutputDirectory& directory,
+               std::function<void(const Model&)> on_row)
     : scene_(scene),
       model_(model),
       directory_(directory),
@@ -67,7 +68,8 @@ Record::Record(const Scene& scene, const Model& model, OutputDirectory& director
       origins_{model.frame()},
       stage_(scene, origins_.front()),
       frames_(scene.output.frame_interval),
-      rows_(scene.output.history_interval) {}
+      rows_(scene.output.history_interval),
+      on_row_(std::move(on_row)) {}
 
 void Record::begin() {
   peaks_.add(model_.report());
@@ -194,6 +196,7 @@ void Record::add_row() {
   history_.add(model_, history_stage_, origins_.back());
   bolts_.add(model_);
   last_row_step_ = model_.report().steps;
+  if (on_row_) on_row_(model_);
 }
 
 void Record::add_picture() {

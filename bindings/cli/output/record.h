@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -36,8 +37,9 @@ class Every {
 /// The output of a run: frames and history on the way, pictures at its end.
 class Record {
  public:
-  /// The model is at its start.
-  Record(const Scene& scene, const Model& model, OutputDirectory& directory);
+  /// The model is at its start. `on_row` is called after each row of the history.
+  Record(const Scene& scene, const Model& model, OutputDirectory& directory,
+         std::function<void(const Model&)> on_row = {});
 
   /// The stage of the following rows of the history.
   void set_stage(HistoryStage stage) { history_stage_ = std::move(stage); }
@@ -98,6 +100,7 @@ class Record {
   bool has_descriptions_ = false;
   Every frames_;
   Every rows_;
+  std::function<void(const Model&)> on_row_;
   std::int64_t last_row_step_ = 0;
   std::int64_t last_frame_step_ = 0;
 };

@@ -131,7 +131,8 @@ class Run {
         options_(options),
         directory_(directory),
         fingerprint_(fingerprint(model, scene)),
-        record_(scene, model, directory) {
+        record_(scene, model, directory, options.on_row),
+        progress_(options.on_progress) {
     stage_lines_.resize(stages_.size());
     if (options.from.empty()) {
       record_.set_stage(history_stage());
@@ -359,7 +360,6 @@ std::string pictures_left(const Record& record, Outcome outcome) {
 
 RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, const RunOptions& options,
                     OutputDirectory& directory) {
-  remember_interrupts();
   RunResult result;
   Run run(scene, model, options, directory);
   const std::int64_t steps_before = model.report().steps;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "common/files.h"
 #include "model/model.h"
+#include "output/progress.h"
 #include "output/summary.h"
 #include "scene/scene.h"
 
@@ -18,11 +20,13 @@ struct RunResult {
   std::optional<RunFigures> figures = {};  ///< of a run that has begun
 };
 
-/// Options of a run: its start and its checkpoints.
+/// Options of a run: its start, its checkpoints, and those who follow it.
 struct RunOptions {
-  std::string from;                  ///< state of a checkpoint; empty: the scene's start
+  std::string from = {};             ///< state of a checkpoint; empty: the scene's start
   bool resumes_in_place = false;     ///< the directory has the files up to the checkpoint
   double checkpoint_interval = 600;  ///< s of wall time between checkpoints
+  ProgressListener on_progress = {};
+  std::function<void(const Model&)> on_row = {};  ///< after each row of the history
 };
 
 /// Runs a scene, and writes frames, history, pictures, a summary with the notes, and checkpoints. However the

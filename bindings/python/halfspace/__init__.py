@@ -12,6 +12,7 @@ Examples
 -0.125
 """
 from ._arrays import pose
+from ._help import wrap_signatures
 from ._library import status_text, version
 from .affine import Elasticity
 from .bolt import Bolt
@@ -42,15 +43,18 @@ from .errors import (
     InternalError,
     InvertedError,
     OutOfMemoryError,
+    SceneError,
     StaleIdError,
     StateError,
     TooFastError,
     UnstableError,
 )
+from .generators import arch, jointed_rock, stack, triangulated, voronoi, wall
 from .impact import Motion, pair_time_of_impact
 from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
+from .progress import ProgressBar
 from .records import (
     BALANCE,
     BLOCK_STATE,
@@ -68,9 +72,12 @@ from .records import (
     STRENGTH_REPORT,
     WORLD_REPORT,
 )
-from .recording import Recording
-from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
 from .page import View, view
+from .recording import Recording
+from .results import RunResult, SafetyResult
+from .scene import Scene
+from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
+from .sweep import Sweep
 from .world import World
 
 __version__ = version()
@@ -118,27 +125,41 @@ __all__ = [
     "PairCache",
     "PairKind",
     "Plane",
+    "ProgressBar",
     "Recording",
+    "RunResult",
+    "SafetyResult",
+    "Scene",
+    "SceneError",
     "Shape",
     "StaleIdError",
     "StateError",
     "StiffnessKind",
+    "Sweep",
     "TooFastError",
     "Unbalanced",
     "UnstableError",
     "View",
     "World",
     "WorldPart",
+    "arch",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",
     "default_context",
+    "jointed_rock",
     "pair_caches",
     "pair_detect",
     "pair_time_of_impact",
     "pairs_detect",
     "pose",
+    "stack",
     "status_text",
+    "triangulated",
     "version",
     "view",
+    "voronoi",
+    "wall",
 ]
+
+wrap_signatures(globals()[name] for name in __all__)

@@ -1,4 +1,6 @@
 """NumPy arrays as views for the library, without copies."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import struct
@@ -89,7 +91,7 @@ def tensor(values: ArrayLike, name: str) -> Any:
         raise ValueError(f"{name} has the shape {array.shape}; it must be (2, 2) or (3, 3)")
     whole = np.zeros((3, 3))
     whole[: len(array), : len(array)] = array
-    return (ctypes.c_double * 9)(*whole.flat)
+    return (ctypes.c_double * 9)(*whole.ravel())
 
 
 def turn_vector(values: ArrayLike, name: str) -> Any:

@@ -1,4 +1,6 @@
 """Constants as arguments: enum members, numbers or names."""
+from __future__ import annotations
+
 from enum import IntEnum
 from typing import Type, Union
 

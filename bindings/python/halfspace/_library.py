@@ -2,6 +2,8 @@
 
 Search order: the file of the environment variable HALFSPACE_LIBRARY; the library bundled in this package; the one
 installed in the same prefix; the one that the system's loader finds."""
+from __future__ import annotations
+
 import ctypes
 import os
 import pathlib
@@ -22,11 +24,11 @@ def _candidates() -> Iterator[str]:
     yield _NAME
 
 
-def _open(path: str) -> ctypes.CDLL:
-    # Dependencies of a bundled library are in its folder, which the loader does not search.
-    if pathlib.Path(path).parent == _PACKAGE:
-        for needed in sorted(_PACKAGE.glob("*.so*")):
-            if needed.name != _NAME:
+def open_library(path: str) -> ctypes.CDLL:
+    """Loads a library. Those that a bundled one needs are in its folder, which the loader does not search."""
+    if pathlib.Path(path).is_relative_to(_PACKAGE):
+        for needed in sorted(pathlib.Path(path).parent.glob("*.so*")):
+            if needed.name != pathlib.Path(path).name:
                 ctypes.CDLL(str(needed))
     return ctypes.CDLL(path)
 
@@ -47,8 +49,8 @@ def _load() -> ctypes.CDLL:
     failures = []
     for path in [chosen] if chosen else _candidates():
         try:
-            found = _open(path)
-            _raw.declare(found)  # type: ignore[no-untyped-call]
+            found = open_library(path)
+            _raw.declare(found)
             _check_version(found, path)
             return found
         except OSError as error:

@@ -15,6 +15,7 @@ from ctypes import (
     c_uint64,
     c_void_p,
 )
+from typing import Any
 
 # Names the interface that is described here.
 SONAME = "libhalfspace.so.0.1"
@@ -949,7 +950,7 @@ class hs_water_def(Structure):
     ]
 
 
-def declare(library):
+def declare(library: Any) -> None:
     """Says which types the functions of a loaded library take and return."""
     # Returns the text of a status code.
     library.hs_status_string.argtypes = [

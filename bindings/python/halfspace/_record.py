@@ -1,18 +1,27 @@
 """Records: structs of the library as NumPy scalars with fields as attributes."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import textwrap
 from enum import IntEnum, IntFlag
-from typing import Any, Dict, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 _LONGEST_LINE = 100
 _Kind = Type[Union[IntEnum, IntFlag]]
+Floats = NDArray[np.float64]
 
 
-class Record(np.record):
+if TYPE_CHECKING:
+    _Struct = np.void  # to a type checker a np.record has any attribute
+else:
+    _Struct = np.record
+
+
+class Record(_Struct):
     """One struct: ``record.gap`` is ``record["gap"]``. It prints the names and values of its fields."""
 
     _kinds: Dict[str, _Kind] = {}  # of fields that are constants
@@ -22,7 +31,7 @@ class Record(np.record):
 
     def __repr__(self) -> str:
         name = type(self).__name__
-        fields = [f"{field}={self._text_of(field)}" for field in self.dtype.names if not field.startswith("reserved")]
+        fields = [f"{field}={self._text_of(field)}" for field in self.dtype.names or () if not field.startswith("reserved")]
         line = f"{name}({', '.join(fields)})"
         if len(line) <= _LONGEST_LINE and "\n" not in line:
             return line
@@ -42,7 +51,7 @@ class Record(np.record):
 def _name_of(kind: _Kind, value: int) -> str:
     """The name of a constant, or the names of all flags in a sum; the number if there is none."""
     of_sum = issubclass(kind, IntFlag)
-    names = [member.name for member in kind if (member & value if of_sum else member == value)]
+    names = [name for name, of in kind.__members__.items() if (of & value if of_sum else of == value)]
     return f"{kind.__name__}.{'|'.join(names)}" if names else str(value)
 
 
@@ -53,6 +62,9 @@ class Records(np.ndarray):  # type: ignore[type-arg]
         found = super().__getitem__(key)
         is_numbers = isinstance(found, np.ndarray) and found.dtype.names is None
         return found.view(np.ndarray) if is_numbers else found
+
+    def __dir__(self) -> List[str]:
+        return [*super().__dir__(), *(self.dtype.names or ())]
 
     def __getattr__(self, name: str) -> Any:
         if name not in (self.dtype.names or ()):
@@ -81,9 +93,21 @@ def record_type(record: Type[Record], structure: Any) -> Any:
         }
     )
     for name in names:  # also names of NumPy methods, e.g. `mean`
-        setattr(record, name, property(operator.itemgetter(name)))
+        setattr(record, name, property(_getter(name, record._kinds.get(name))))
     _types[structure] = np.dtype((record, plain))
     return _types[structure]
+
+
+def _getter(name: str, kind: Optional[_Kind]) -> Callable[[Any], Any]:
+    """Reads a field; a constant as a member of its enumeration, if it is of this version."""
+    read = operator.itemgetter(name)
+    if kind is None:
+        return read
+    members = {int(member): member for member in kind.__members__.values()}
+    if issubclass(kind, IntFlag):
+        flags = kind
+        return lambda record: flags(int(read(record)))
+    return lambda record: members.get(int(read(record)), read(record))
 
 
 def _format_of(declared: Any) -> Any:
@@ -98,6 +122,7 @@ def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:
     return array, array.ctypes.data
 
 
-def empty_records(count: int, dtype: Any) -> Any:
+def empty_records(count: int, dtype: Any) -> Records:
     """An array of zeroed structs."""
-    return np.zeros(count, dtype).view(Records)
+    records: Records = np.zeros(count, dtype).view(Records)
+    return records

@@ -1,4 +1,6 @@
 """Motions and loads in time: tables that blocks and nodes follow, force control, and held axes."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Union
 
@@ -81,6 +83,7 @@ class ActedOn(Statics):
         """
         name = None if block is None else block_id(block, "block")
         definition = self._action(kind, table, start, scale, at, carried, max_speed)
+        self._given.beyond_scenes.add("actions")
         self._call(library.hs_world_add_action, name or 0, definition)
 
     def end_actions(self, block: Optional[int]) -> None:
@@ -150,6 +153,7 @@ class ActedOn(Statics):
         if set(axes) - set(_AXES):
             raise ValueError(f'axes is "{axes}"; it must consist of x, y, z and r')
         bits = sum(_AXES[axis] for axis in set(axes))
+        self._given.beyond_scenes.add("held blocks")
         self._call(library.hs_world_hold_block, block_id(block, "block"), bits)
 
     def prescribe_velocities(

@@ -1,7 +1,9 @@
 """Affine blocks: blocks with uniform strain and stress."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
-from typing import Any, Optional, Union
+from typing import Optional, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +16,7 @@ from ._record import Records, empty_record, empty_records
 from .block_arrays import BlockArrays
 from .constants import Plane
 from .context import held
-from .records import DEFORMATION
+from .records import DEFORMATION, Deformation
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,8 +70,9 @@ class AffineBlocks(BlockArrays):
         """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
         self._given.see(f"material[{material}]", elasticity)
+        self._given.elasticities[f"material[{material}]"] = elasticity
 
-    def deformation(self, block: int) -> Any:
+    def deformation(self, block: int) -> Deformation:
         """Returns deformation and stress of a block of any kind: a record of `DEFORMATION`.
 
         `gradient` is the deformation gradient, from the shape's frame to space; `rate` its time derivative, 1/s;
@@ -79,7 +82,7 @@ class AffineBlocks(BlockArrays):
         array, address = empty_record(DEFORMATION)
         deformation = _raw.hs_deformation.from_address(address)
         self._call(library.hs_world_get_deformation, block_id(block, "block"), deformation)
-        return array[0]
+        return cast(Deformation, array[0])
 
     def deformations(self) -> Records:
         """Returns deformation and stress of all blocks: an array of `DEFORMATION`, whose ``["gradient"]`` has the
@@ -103,6 +106,7 @@ class AffineBlocks(BlockArrays):
     def set_stress(self, block: int, stress: ArrayLike) -> None:
         """Sets the current Cauchy stress of an affine block, e.g. the in situ stress; symmetric, Pa, tension > 0.
         Later strain adds to it."""
+        self._given.beyond_scenes.add("stresses")
         self._call(library.hs_world_set_stress, block_id(block, "block"), tensor(stress, "stress"))
 
     def add_surface_load(self, block: int, face: int, traction: ArrayLike) -> None:
@@ -118,6 +122,7 @@ class AffineBlocks(BlockArrays):
         traction : array_like
             Force per area of the face as it was given, Pa.
         """
+        self._given.beyond_scenes.add("surface loads")
         self._call(
             library.hs_world_add_surface_load,
             block_id(block, "block"),

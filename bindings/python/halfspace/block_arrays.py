@@ -1,14 +1,20 @@
 """Arrays of all blocks of a world."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _raw
 from ._arrays import mutable_view_of, require_output, turns_view_of, view_of
 from ._library import library
+from ._record import Records, empty_records
 from .check import Given
+from .constants import BlockKind
 from .context import Context, Handle, held
+from .records import BLOCK_STATE
 
 Floats = NDArray[np.float64]
 
@@ -113,6 +119,51 @@ class BlockArrays(Handle):
         """Returns velocities and angular velocities; `out` and `angular_out` are optional arrays for the results,
         which may be strided."""
         return self._vectors_and_turns(library.hs_world_get_velocities, (), out, angular_out)
+
+    def states(self) -> Records:
+        """Returns the motion of all blocks: an array of `BLOCK_STATE`. ``states().force`` are the contact forces of
+        the last step, ``states().mass`` the masses."""
+        with held(self):
+            blocks = self.blocks
+            states = empty_records(len(blocks), BLOCK_STATE)
+            address, size = states.ctypes.data, BLOCK_STATE.itemsize
+            for i, block in enumerate(blocks.tolist()):
+                state = _raw.hs_block_state.from_address(address + i * size)
+                self._call(library.hs_world_get_block_state, block, state)
+        return states
+
+    @property
+    def contact_forces(self) -> Floats:
+        """Forces of contacts, bonds, bolts and water on all blocks at the last step, N, shape (n, dimension)."""
+        return np.ascontiguousarray(self.states()["force"][:, : self.dimension])
+
+    @property
+    def contact_torques(self) -> Floats:
+        """Their torques about the centroids, N m, shape (n,) in 2D, (n, 3) in 3D."""
+        torques = self.states()["torque"]
+        return np.ascontiguousarray(torques[:, 2] if self.dimension == 2 else torques)
+
+    def set_applied_forces(self, forces: ArrayLike, torques: Optional[ArrayLike] = None) -> None:
+        """Sets the external forces, N, shape (n, dimension), and torques, N m, shape (n,) in 2D, (n, 3) in 3D, of all
+        rigid and affine blocks, until set again; those of other blocks are ignored."""
+        with held(self):
+            states = self.states()
+            given, turns = np.zeros((2, len(states), 3))
+            view = np.asarray(forces, np.float64)
+            if view.shape != (len(states), self.dimension):
+                raise ValueError(f"forces has the shape {view.shape}; it must be ({len(states)}, {self.dimension})")
+            given[:, : self.dimension] = view
+            if torques is not None:
+                about = np.asarray(torques, np.float64)
+                wanted = (len(states),) if self.dimension == 2 else (len(states), 3)
+                if about.shape != wanted:
+                    raise ValueError(f"torques has the shape {about.shape}; it must be {wanted}")
+                turns[:, 2 if self.dimension == 2 else slice(None)] = about
+            self._given.beyond_scenes.add("applied forces")
+            take = np.isin(states["kind"], (BlockKind.RIGID, BlockKind.AFFINE))
+            triple = ctypes.c_double * 3
+            for block, force, torque in zip(self.blocks[take].tolist(), given[take], turns[take]):
+                self._call(library.hs_world_set_applied_force, block, triple(*force), triple(*torque))
 
     def _vectors_and_turns(
         self, function: Any, before: Tuple[Any, ...], out: Optional[Floats], turns_out: Optional[Floats]

@@ -1,4 +1,6 @@
 """Bolts and cables: lines between two places that blocks carry, or between a block and the ground."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 import operator
@@ -66,6 +68,7 @@ class BoltedBlocks(BondedBlocks):
         struct.place_a[:] = vector(place_a, "place_a")[:]
         struct.place_b[:] = vector(place_b, "place_b")[:]
         number = ctypes.c_int64()
+        self._given.beyond_scenes.add("bolts")
         self._call(library.hs_world_add_bolt, struct, ctypes.byref(number))
         return number.value
 

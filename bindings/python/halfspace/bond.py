@@ -1,7 +1,9 @@
 """Bonds: breakable connections of blocks along their common faces."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
-from typing import Any
+from typing import cast
 
 from . import _raw
 from ._arrays import block_id, index
@@ -9,7 +11,7 @@ from ._library import library
 from ._record import Records, empty_record, empty_records
 from .context import held
 from .mesh import Bodies
-from .records import BOND, BOND_EVENT, BOND_REPORT
+from .records import BOND, BOND_EVENT, BOND_REPORT, BondReport
 
 
 @dataclasses.dataclass(frozen=True)
@@ -105,9 +107,9 @@ class BondedBlocks(Bodies):
         return events
 
     @property
-    def bond_report(self) -> Any:
+    def bond_report(self) -> BondReport:
         """Summary of all bonds: a record of `BOND_REPORT`."""
         array, address = empty_record(BOND_REPORT)
         report = _raw.hs_bond_report.from_address(address)
         self._call(library.hs_world_get_bond_report, report, BOND_REPORT.itemsize)
-        return array[0]
+        return cast(BondReport, array[0])

@@ -1,7 +1,9 @@
 """Unusual settings of a world that are allowed."""
+from __future__ import annotations
+
 import dataclasses
 import math
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Set, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,6 +44,9 @@ class Given:
         self.held: Dict[int, str] = {}  # axes along which nodes of a body are held
         self.empty_bonds: List[str] = []
         self.laws: Dict[str, Law] = {}
+        self.elasticities: Dict[str, Any] = {}  # of materials
+        self.settings: Dict[str, Any] = {}  # of the world
+        self.beyond_scenes: Set[str] = set()  # parts that no table of a scene describes, in words
         self.of_impulses: List[str] = []  # settings of the impulses between rigid blocks
 
     def copy(self) -> "Given":
@@ -49,6 +54,8 @@ class Given:
         other.values, other.held = dict(self.values), dict(self.held)
         other.empty_bonds = list(self.empty_bonds)
         other.laws, other.of_impulses = dict(self.laws), list(self.of_impulses)
+        other.elasticities, other.settings = dict(self.elasticities), dict(self.settings)
+        other.beyond_scenes = set(self.beyond_scenes)
         return other
 
     def see(self, name: str, value: Any) -> None:

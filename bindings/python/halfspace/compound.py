@@ -1,4 +1,6 @@
 """Compounds: concave blocks of several convex parts."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional, Sequence, Tuple, Union
 
@@ -103,6 +105,7 @@ class CompoundBlocks(Statics):
                 len(owners),
             )
             set_start(definition, position, angle, rotation, kind, material, velocity, angular_velocity)
+            self._given.beyond_scenes.add("compounds")
             self._call(
                 library.hs_world_add_compound, handles, given, len(owners), definition, ctypes.byref(block)
             )

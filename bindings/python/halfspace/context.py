@@ -1,4 +1,6 @@
 """The context, and the lifetime of handles."""
+from __future__ import annotations
+
 import contextlib
 import ctypes
 import threading

@@ -1,5 +1,7 @@
 """Exceptions of failed calls. The text is that of the library: function, argument and value."""
-from typing import Any, Dict, Tuple, Type
+from __future__ import annotations
+
+from typing import Any, Dict, List, Tuple, Type
 
 from . import _raw
 
@@ -58,6 +60,15 @@ class InvertedError(HalfspaceError, ArithmeticError):
 
 class FormatError(HalfspaceError, ValueError):
     """The bytes are not a snapshot that this library can read."""
+
+
+class SceneError(FormatError):
+    """A scene has faults; `message` has a line for each, with file, line, column and key."""
+
+    @property
+    def faults(self) -> List[str]:
+        """The faults, a line each."""
+        return self.message.splitlines()
 
 
 class InternalError(HalfspaceError, RuntimeError):

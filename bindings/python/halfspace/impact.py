@@ -1,7 +1,9 @@
 """Time of impact of two moving shapes."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
-from typing import Any, Optional
+from typing import Optional, cast
 
 from numpy.typing import ArrayLike
 
@@ -10,7 +12,7 @@ from ._arrays import as_pose, tensor, turn_vector, vector
 from ._library import library
 from ._record import empty_record
 from .context import held
-from .records import IMPACT
+from .records import IMPACT, Impact
 from .shape import Shape
 
 
@@ -63,7 +65,7 @@ class Motion:
 
 def pair_time_of_impact(
     shape_a: Shape, motion_a: Motion, shape_b: Shape, motion_b: Motion, duration: float
-) -> Any:
+) -> Impact:
     """Computes the time of impact of two moving shapes by conservative advancement.
 
     The shapes are separated at all times before the reported one, whatever their speed, thickness or number of
@@ -103,4 +105,4 @@ def pair_time_of_impact(
             duration,
             _raw.hs_impact.from_address(address),
         )
-    return array[0]
+    return cast(Impact, array[0])

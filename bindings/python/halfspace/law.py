@@ -1,4 +1,6 @@
 """Contact laws."""
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 from typing import Union

@@ -1,6 +1,8 @@
 """Bodies of finite elements."""
+from __future__ import annotations
+
 import ctypes
-from typing import Any, Optional, Sequence, Tuple, Union
+from typing import Any, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +16,7 @@ from .affine import AffineBlocks
 from .block_arrays import Floats
 from .constants import CellKind
 from .context import Context, Handle, default_context, held
-from .records import BODY_STATE, CELL_STATE, MESH_PROPERTIES
+from .records import BODY_STATE, CELL_STATE, MESH_PROPERTIES, BodyState
 
 _KIND_OF_WIDTH = {
     (2, 3): CellKind.TRIANGLE,
@@ -92,15 +94,15 @@ class Mesh(Handle):
     ) -> "Mesh":
         """Creates a rectangle, centered at the origin, of equal quads, or of triangles, two per quad, with
         alternating diagonals."""
-        kind = choice(kind, CellKind, "kind")
+        cell_kind = choice(kind, CellKind, "kind")
         x, y = np.meshgrid(np.linspace(-0.5, 0.5, columns + 1) * width, np.linspace(-0.5, 0.5, rows + 1) * height)
         nodes = np.column_stack([x.ravel(), y.ravel()])
         column, row = (grid.ravel() for grid in np.meshgrid(np.arange(columns), np.arange(rows)))
         first = row * (columns + 1) + column
         quads = np.column_stack([first, first + 1, first + columns + 2, first + columns + 1])
-        if kind == CellKind.QUAD:
+        if cell_kind == CellKind.QUAD:
             return cls(nodes, [quads], context=context)
-        if kind != CellKind.TRIANGLE:
+        if cell_kind != CellKind.TRIANGLE:
             raise ValueError(f'kind is {kind!r}; it must be "quad" or "triangle"')
         alternate = ((column + row) % 2 == 1)[:, None]
         lower = np.where(alternate, quads[:, [0, 1, 3]], quads[:, [0, 1, 2]])
@@ -201,12 +203,12 @@ class Bodies(AffineBlocks):
         """Removes a body and its surface blocks from the world; its id becomes stale."""
         self._call(library.hs_world_remove_body, block_id(body, "body"))
 
-    def body_state(self, body: int) -> Any:
+    def body_state(self, body: int) -> BodyState:
         """Returns mass, centroid, momentum and energies of a body: a record of `BODY_STATE`."""
         array, address = empty_record(BODY_STATE)
         state = _raw.hs_body_state.from_address(address)
         self._call(library.hs_world_get_body_state, block_id(body, "body"), state, BODY_STATE.itemsize)
-        return array[0]
+        return cast(BodyState, array[0])
 
     def body_of_block(self, block: int) -> Tuple[int, int]:
         """Returns the body and the index of the cell of a surface block; 0 and -1 for a block of another kind."""

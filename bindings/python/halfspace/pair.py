@@ -1,6 +1,8 @@
 """Contact detection of one pair or many pairs, for hosts with their own bodies."""
+from __future__ import annotations
+
 import ctypes
-from typing import Any, Optional, Sequence
+from typing import Any, Optional, Sequence, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +12,7 @@ from ._arrays import as_pose, indices
 from ._library import library
 from ._record import empty_record, empty_records
 from .context import held
-from .records import CONTACT, PAIR_CACHE
+from .records import CONTACT, PAIR_CACHE, Contact
 from .shape import Shape
 
 
@@ -60,7 +62,7 @@ def pair_detect(
     vertex_zone: Optional[float] = None,
     margin: float = 0.0,
     without_region: bool = False,
-) -> Any:
+) -> Contact:
     """Detects the contact of two shapes.
 
     Parameters
@@ -107,7 +109,7 @@ def pair_detect(
             None if cache is None else cache._struct,
             _raw.hs_contact.from_address(address),
         )
-    return array[0]
+    return cast(Contact, array[0])
 
 
 def pair_caches(count: int) -> NDArray[Any]:

@@ -1,6 +1,8 @@
 """Pictures of 2D worlds and contacts by matplotlib, an optional dependency."""
+from __future__ import annotations
+
 import io
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +18,21 @@ def _axes(ax: Any) -> Any:
 
         ax = matplotlib.pyplot.gca()
     return ax
+
+
+def force_lines(
+    blocks: NDArray[np.uint64], vertices: Sequence[NDArray[np.float64]], contacts: Any, dimension: int
+) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """A line along each contact force, shape (n, 2, dimension), and its width, proportional to the magnitude."""
+    size = np.linalg.norm(contacts["force"], axis=1)
+    contacts, size = contacts[size > 0], size[size > 0]
+    if len(contacts) == 0:
+        return np.empty((0, 2, dimension)), size
+    middle, direction = contacts["force_point"][:, :dimension], contacts["force"][:, :dimension] / size[:, None]
+    # As long as the width of the smaller block, so that the lines form force chains.
+    reach = dict(zip(blocks, (np.ptp(each, axis=0).min() for each in vertices)))
+    half = np.array([0.5 * min(reach[c["block_a"]], reach[c["block_b"]]) for c in contacts])[:, None] * direction
+    return np.stack((middle - half, middle + half), axis=1), 0.4 + 3.6 * size / size.max()
 
 
 def plot_blocks(
@@ -48,18 +65,9 @@ def plot_blocks(
 
     colours = [_FREE if is_free else _FIXED for is_free in are_free]
     ax.add_collection(PolyCollection(outlines, facecolors=colours, edgecolors=_OUTLINE, linewidths=0.6))
-    size = np.linalg.norm(contacts["force"], axis=1)
-    contacts, size = contacts[size > 0], size[size > 0]
-    if len(contacts) > 0:
-        middle, direction = contacts["force_point"][:, :2], contacts["force"][:, :2] / size[:, None]
-        # As long as the width of the smaller block, so that the lines form force chains.
-        reach = dict(zip(blocks, (np.ptp(outline, axis=0).min() for outline in outlines)))
-        half = (
-            np.array([0.5 * min(reach[c["block_a"]], reach[c["block_b"]]) for c in contacts])[:, None]
-            * direction
-        )
-        lines = np.stack((middle - half, middle + half), axis=1)
-        ax.add_collection(LineCollection(lines, colors=_CONTACT, linewidths=0.4 + 3.6 * size / size.max()))
+    lines, widths = force_lines(blocks, outlines, contacts, 2)
+    if len(lines) > 0:
+        ax.add_collection(LineCollection(lines, colors=_CONTACT, linewidths=widths))
     ax.set_aspect("equal")
     ax.autoscale_view()
     return ax
@@ -107,7 +115,7 @@ def _placed(shape: Shape, pose: ArrayLike) -> Any:
     return outline + place[:2]
 
 
-def picture_by(plot: Callable[[Any], Any]) -> Optional[bytes]:
+def picture_by(plot: Callable[[Any], Any], dimension: int = 2) -> Optional[bytes]:
     """A PNG of the axes drawn by `plot`, for notebooks; None without matplotlib."""
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -116,7 +124,7 @@ def picture_by(plot: Callable[[Any], Any]) -> Optional[bytes]:
         return None
     figure = Figure(figsize=(6, 4), layout="tight")
     FigureCanvasAgg(figure)
-    plot(figure.add_subplot())
+    plot(figure.add_subplot() if dimension == 2 else figure.add_subplot(projection="3d"))
     stored = io.BytesIO()
     figure.savefig(stored, format="png", dpi=100, bbox_inches="tight")
     return stored.getvalue()

@@ -2,7 +2,7 @@
 """The library's reports and states, field by field as in the headers of C: for each a class of records, which print
 their names and values, and its NumPy data type. Nine numbers in a row are a tensor of shape (3, 3)."""
 from . import _raw, constants
-from ._record import Record, record_type
+from ._record import Floats, Record, record_type
 
 
 class Pose(Record):
@@ -15,6 +15,9 @@ class Pose(Record):
     rotation : array, shape (4,)
         unit quaternion x, y, z, w; a length within 1e-6 of 1 is normalised
     """
+
+    position: Floats
+    rotation: Floats
 
 
 POSE = record_type(Pose, _raw.hs_pose)
@@ -76,6 +79,29 @@ class Contact(Record):
         time of first touch within a step, s, for laws without springs; else 0
     """
 
+    block_a: int
+    block_b: int
+    type: constants.ContactType
+    point_count: int
+    pair_kind: constants.PairKind
+    feature_a: int
+    feature_b: int
+    normal: Floats
+    gap: float
+    area: float
+    length: float
+    center: Floats
+    center_gap: float
+    points: Floats
+    gaps: Floats
+    force: Floats
+    torque: Floats
+    force_point: Floats
+    normal_force: float
+    shear_force: Floats
+    twist: float
+    touched_at: float
+
     _kinds = {"type": constants.ContactType, "pair_kind": constants.PairKind}
 
 
@@ -94,6 +120,10 @@ class Fault(Record):
     face : int
         index of the faulty face in the caller's list; -1: none
     """
+
+    kind: constants.Fault
+    vertex: int
+    face: int
 
     _kinds = {"kind": constants.Fault}
 
@@ -127,6 +157,16 @@ class ShapeProperties(Record):
         length of the shortest edge, m
     """
 
+    dimension: int
+    vertex_count: int
+    edge_count: int
+    face_count: int
+    volume: float
+    centroid: Floats
+    second_moment: Floats
+    bounding_radius: float
+    shortest_edge: float
+
 
 SHAPE_PROPERTIES = record_type(ShapeProperties, _raw.hs_shape_properties)
 
@@ -143,6 +183,10 @@ class CleanReport(Record):
     reversed : int
         1: the order was reversed to counter-clockwise
     """
+
+    welded: int
+    straightened: int
+    reversed: int
 
 
 CLEAN_REPORT = record_type(CleanReport, _raw.hs_clean_report)
@@ -165,6 +209,12 @@ class FitReport(Record):
     sufficient_tolerance : float
         for a dent: a tolerance that suffices (tested), m; 0: none
     """
+
+    fault: Fault
+    merged: int
+    deviation: float
+    moved: float
+    sufficient_tolerance: float
 
 
 FIT_REPORT = record_type(FitReport, _raw.hs_fit_report)
@@ -194,6 +244,16 @@ class BlockState(Record):
     mass : float
         kg, in 2D per unit thickness; 0 for a part of a compound
     """
+
+    kind: constants.BlockKind
+    material: int
+    pose: Pose
+    angle: float
+    velocity: Floats
+    angular_velocity: Floats
+    force: Floats
+    torque: Floats
+    mass: float
 
     _kinds = {"kind": constants.BlockKind}
 
@@ -226,6 +286,16 @@ class Energy(Record):
     residual : float
         numerical energy error: current energy plus losses minus outer_work
     """
+
+    kinetic: float
+    gravity: float
+    strain: float
+    friction_loss: float
+    contact_damping_loss: float
+    local_damping_loss: float
+    mass_damping_loss: float
+    outer_work: float
+    residual: float
 
 
 ENERGY = record_type(Energy, _raw.hs_energy)
@@ -296,6 +366,35 @@ class WorldReport(Record):
         dissipated by yield and rupture of bolts, J; included in the residual
     """
 
+    dimension: int
+    steps: int
+    time: float
+    time_step: float
+    stable_time_step: float
+    block_count: int
+    candidate_count: int
+    contact_count: int
+    list_builds: int
+    largest_overlap: float
+    largest_speed: float
+    energy: Energy
+    potential_length: float
+    block_strain_energy: float
+    block_damping_loss: float
+    divided_steps: int
+    max_penetration_ratio: float
+    peak_overlap: float
+    peak_speed: float
+    sleeping_count: int
+    max_sleep_error: float
+    touch_count: int
+    iteration_count: int
+    impact_loss: float
+    unbalanced_velocity: float
+    water_energy: float
+    bolt_strain_energy: float
+    bolt_loss: float
+
 
 WORLD_REPORT = record_type(WorldReport, _raw.hs_world_report)
 
@@ -316,6 +415,12 @@ class MeshProperties(Record):
     volume : float
         of all cells, m3; in 2D area, m2
     """
+
+    dimension: int
+    node_count: int
+    cell_count: int
+    surface_face_count: int
+    volume: float
 
 
 MESH_PROPERTIES = record_type(MeshProperties, _raw.hs_mesh_properties)
@@ -342,6 +447,14 @@ class BodyState(Record):
         of all cells, J
     """
 
+    node_count: int
+    cell_count: int
+    mass: float
+    centroid: Floats
+    momentum: Floats
+    kinetic_energy: float
+    strain_energy: float
+
 
 BODY_STATE = record_type(BodyState, _raw.hs_body_state)
 
@@ -358,6 +471,10 @@ class CellState(Record):
     strain_energy : float
         J, in 2D per unit thickness; including the bending modes
     """
+
+    strain: Floats
+    stress: Floats
+    strain_energy: float
 
 
 CELL_STATE = record_type(CellState, _raw.hs_cell_state)
@@ -380,6 +497,12 @@ class Deformation(Record):
     strain_energy : float
         J, in 2D per unit thickness; 0 without stress
     """
+
+    gradient: Floats
+    rate: Floats
+    strain: Floats
+    stress: Floats
+    strain_energy: float
 
 
 DEFORMATION = record_type(Deformation, _raw.hs_deformation)
@@ -414,6 +537,18 @@ class Bolt(Record):
         1: transmits nothing more
     """
 
+    number: int
+    block_a: int
+    block_b: int
+    place_a: Floats
+    place_b: Floats
+    tension: float
+    elongation: float
+    plastic_elongation: float
+    strain_energy: float
+    loss: float
+    is_ruptured: int
+
 
 BOLT = record_type(Bolt, _raw.hs_bolt)
 
@@ -442,6 +577,16 @@ class Bond(Record):
     shear_force : array, shape (3,)
         on block_b, N
     """
+
+    block_a: int
+    block_b: int
+    is_joint: int
+    point_count: int
+    broken_count: int
+    area: float
+    damage: float
+    normal_force: float
+    shear_force: Floats
 
 
 BOND = record_type(Bond, _raw.hs_bond)
@@ -476,6 +621,18 @@ class BondEvent(Record):
         J, dissipated by the failure in this step
     """
 
+    bond: int
+    step: int
+    failure: constants.BondFailure
+    point: int
+    time: float
+    position: Floats
+    normal: Floats
+    area: float
+    normal_traction: float
+    shear_traction: float
+    energy: float
+
     _kinds = {"failure": constants.BondFailure}
 
 
@@ -500,6 +657,13 @@ class BondReport(Record):
     fracture_loss : float
         J, dissipated so far; included in the residual
     """
+
+    bond_count: int
+    joint_count: int
+    event_count: int
+    crack_area: float
+    strain_energy: float
+    fracture_loss: float
 
 
 BOND_REPORT = record_type(BondReport, _raw.hs_bond_report)
@@ -527,6 +691,15 @@ class Impact(Record):
     point : array, shape (3,)
         centroid of the contact region
     """
+
+    state: constants.ImpactState
+    pair_kind: constants.PairKind
+    feature_a: int
+    feature_b: int
+    time: float
+    gap: float
+    normal: Floats
+    point: Floats
 
     _kinds = {"state": constants.ImpactState, "pair_kind": constants.PairKind}
 
@@ -566,6 +739,16 @@ class PairCache(Record):
     rotation_b : array, shape (4,)
         of the proof: rotation of b
     """
+
+    state: int
+    pair_kind: constants.PairKind
+    feature_a: int
+    feature_b: int
+    shapes: int
+    reach: float
+    normal: Floats
+    rotation_a: Floats
+    rotation_b: Floats
 
     _kinds = {"pair_kind": constants.PairKind}
 
@@ -646,6 +829,40 @@ class WorldPlan(Record):
         s per step: forces of bolts
     """
 
+    dimension: int
+    parts: constants.WorldPart
+    fixed_count: int
+    prescribed_count: int
+    rigid_count: int
+    affine_count: int
+    candidate_count: int
+    contact_count: int
+    block_bytes: int
+    pair_bytes: int
+    stable_time_step: float
+    limiting_block: int
+    limiting_neighbor: int
+    measured_steps: int
+    search_seconds: float
+    pair_seconds: float
+    gather_seconds: float
+    motion_seconds: float
+    ledger_seconds: float
+    body_count: int
+    cell_count: int
+    node_count: int
+    bond_count: int
+    mesh_bytes: int
+    bond_bytes: int
+    limiting_bond: int
+    limiting_body: int
+    limiting_cell: int
+    bond_seconds: float
+    hard_contact_seconds: float
+    bolt_count: int
+    water_seconds: float
+    bolt_seconds: float
+
     _kinds = {"parts": constants.WorldPart}
 
 
@@ -669,6 +886,12 @@ class Balance(Record):
         block that largest_force acts on; for a node, one of its surface blocks; 0: none
     """
 
+    mean: float  # type: ignore[assignment]
+    largest: float
+    largest_force: float
+    steps: int
+    largest_force_block: int
+
 
 BALANCE = record_type(Balance, _raw.hs_balance)
 
@@ -691,6 +914,13 @@ class StrengthReport(Record):
     trials : int
         number of relaxations
     """
+
+    factor: float
+    low: float
+    high: float
+    stands_at_low: int
+    falls_at_high: int
+    trials: int
 
 
 STRENGTH_REPORT = record_type(StrengthReport, _raw.hs_strength_report)

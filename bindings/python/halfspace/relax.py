@@ -1,6 +1,8 @@
 """Dynamic relaxation, changes of settings, and strength reduction."""
+from __future__ import annotations
+
 import ctypes
-from typing import Any, Tuple, Union
+from typing import Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +13,7 @@ from ._choice import choice
 from ._library import library
 from ._record import empty_record
 from .constants import Unbalanced
-from .records import BALANCE, STRENGTH_REPORT
+from .records import BALANCE, STRENGTH_REPORT, Balance, StrengthReport
 from .water import WetBlocks
 
 
@@ -27,7 +29,7 @@ class Statics(WetBlocks):
         local_damping: float = 0.1,
         adaptive: bool = True,
         hold_bonds: bool = True,
-    ) -> Tuple[bool, Any]:
+    ) -> Tuple[bool, Balance]:
         """Steps the world under strong damping until static equilibrium, then sets all velocities to 0. Damping and
         the state of `hold_bonds` are restored afterwards.
 
@@ -58,14 +60,14 @@ class Statics(WetBlocks):
         array, address = empty_record(BALANCE)
         balance = _raw.hs_balance.from_address(address)
         status = self._call(library.hs_world_relax, struct, balance, BALANCE.itemsize)
-        return status != _raw.HS_NOTE_NOT_AT_REST, array[0]
+        return status != _raw.HS_NOTE_NOT_AT_REST, cast(Balance, array[0])
 
     @property
-    def balance(self) -> Any:
+    def balance(self) -> Balance:
         """Current balance of forces: a record of `BALANCE`. It costs as much as a step."""
         array, address = empty_record(BALANCE)
         self._call(library.hs_world_get_balance, _raw.hs_balance.from_address(address), BALANCE.itemsize)
-        return array[0]
+        return cast(Balance, array[0])
 
     def set_gravity(self, gravity: ArrayLike) -> None:
         """Sets gravity, m/s2. The change of potential energy counts as external work."""
@@ -75,6 +77,7 @@ class Statics(WetBlocks):
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
         """Sets local and mass damping, see `World`."""
         self._call(library.hs_world_set_damping, local_damping, mass_damping)
+        self._given.settings["local_damping"] = local_damping
         self._given.see("mass_damping", mass_damping)
 
     def set_time_step(self, time_step: float) -> None:
@@ -96,7 +99,7 @@ class Statics(WetBlocks):
         ratio: float = 1e-5,
         max_displacement: float = 0.1,
         max_steps: int = 100000,
-    ) -> Any:
+    ) -> StrengthReport:
         """Computes the factor of safety by bisection. Each trial relaxes a copy of the world with reduced strength,
         in which bonds can fail. The world, which should be in equilibrium, does not change.
 
@@ -123,4 +126,4 @@ class Statics(WetBlocks):
         array, address = empty_record(STRENGTH_REPORT)
         report = _raw.hs_strength_report.from_address(address)
         self._call(library.hs_world_find_strength_factor, struct, report, STRENGTH_REPORT.itemsize, None)
-        return array[0]
+        return cast(StrengthReport, array[0])

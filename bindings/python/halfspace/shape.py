@@ -1,6 +1,8 @@
 """Convex polygons and polyhedra."""
+from __future__ import annotations
+
 import ctypes
-from typing import Any, Callable, List, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +12,7 @@ from ._arrays import indices, mutable_view_of, vector, view_of
 from ._library import library
 from ._record import empty_record
 from .context import Context, Handle, default_context, held
-from .records import CLEAN_REPORT, FAULT, FIT_REPORT, SHAPE_PROPERTIES
+from .records import CLEAN_REPORT, FAULT, FIT_REPORT, SHAPE_PROPERTIES, Fault, ShapeProperties
 
 
 class Shape(Handle):
@@ -206,7 +208,7 @@ class Shape(Handle):
         return f"<halfspace.Shape: {kind} of {self.properties.vertex_count} vertices, volume {self.volume:g}>"
 
     @property
-    def properties(self) -> Any:
+    def properties(self) -> ShapeProperties:
         """Geometry and mass properties per unit density: a record of the fields of ``hs_shape_properties``."""
         if self._properties is None:
             array, address = empty_record(SHAPE_PROPERTIES)
@@ -214,7 +216,7 @@ class Shape(Handle):
             self._call(library.hs_shape_get_properties, ctypes.byref(pointer), array.nbytes)
             array.flags.writeable = False
             self._properties = array[0]
-        return self._properties
+        return cast(ShapeProperties, self._properties)
 
     @property
     def dimension(self) -> int:
@@ -301,7 +303,7 @@ def _flattened(faces: Sequence[Sequence[int]]) -> Tuple[NDArray[np.int32], NDArr
     return sizes, np.concatenate(lists) if lists else np.empty(0, np.int32)
 
 
-def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> Any:
+def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> Fault:
     """Validates the vertices of a polygon.
 
     Returns
@@ -317,12 +319,12 @@ def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> 
         view_of(vertices, 2, "vertices"),
         _raw.hs_fault.from_address(address),
     )
-    return array[0]
+    return cast(Fault, array[0])
 
 
 def check_polyhedron(
     vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
-) -> Any:
+) -> Fault:
     """Validates the vertices and faces of a polyhedron, as `check_polygon`; the record also has the `face`."""
     keeper = (context or default_context())._alive
     sizes, corners = _flattened(faces)
@@ -336,7 +338,7 @@ def check_polyhedron(
         corners.ctypes.data,
         _raw.hs_fault.from_address(address),
     )
-    return array[0]
+    return cast(Fault, array[0])
 
 
 def clean_polygon(

@@ -14,6 +14,8 @@ reference::
                   settings=grid(safety=[1, 0.5, 0.25], stiffness=[1e7, 1e8, 1e9]))
     print(found.cheapest(1e-3).setting)
 """
+from __future__ import annotations
+
 import dataclasses
 import itertools
 import json
@@ -107,7 +109,7 @@ def trade(
     start = time.monotonic()
     runs: List[_Run] = []
     left_out: List[Dict[str, Any]] = []
-    for setting in map(dict, chosen):
+    for setting in (dict(each) for each in chosen):
         run = known.find(setting)
         if run is None and budget is not None and time.monotonic() - start >= budget:
             left_out.append(setting)

@@ -1,4 +1,6 @@
 """Water below a table."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Tuple
 
@@ -36,6 +38,7 @@ class WetBlocks(BoltedBlocks):
             corners = np.array([[0.0] * (self.dimension - 1) + [corners.item()]])
         if corners.size == 0:
             corners = np.empty((0, self.dimension))
+        self._given.beyond_scenes.add("water")
         self._call(library.hs_world_set_water, struct, view_of(corners, self.dimension, "table"))
 
     def water_loads(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -1,8 +1,10 @@
 """A world of blocks, stepped by the library or by an integrator of the host."""
+from __future__ import annotations
+
 import ctypes
 import operator
 import time
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,20 +16,23 @@ from ._library import library
 from ._record import Records, empty_record, empty_records
 from .action import ActedOn
 from .block_arrays import Floats
-from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
 from .compound import CompoundBlocks, set_start
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
 from .law import Law
+from .notes import notes_on
 from .plot import picture_by, plot_blocks
-from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, WORLD_REPORT
+from .plot_space import plot_solids
+from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
+from .run import Runs
 from .shape import Shape
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
+_PICTURE_LIMIT_IN_SPACE = 2000
 
 
-class World(ActedOn, CompoundBlocks):
+class World(ActedOn, CompoundBlocks, Runs):
     """Blocks, materials, laws and time.
 
     Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in
@@ -128,6 +133,7 @@ class World(ActedOn, CompoundBlocks):
             if value is not None:
                 setattr(definition, name, value)
         self._make(context, dimension, library.hs_world_create, definition)
+        self._given.settings = settings
         self._given.see("gravity", np.array(definition.gravity[:]))
         for name in ("mass_damping", "time_step", "sleep_tolerance"):
             self._given.see(name, getattr(definition, name))
@@ -147,6 +153,20 @@ class World(ActedOn, CompoundBlocks):
         with keeper.lock:
             owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer))
             super().__init__(owner, pointer, library.hs_world_destroy, dimension)
+
+    @classmethod
+    def _owned(cls, owner: Context, pointer: Any, dimension: int) -> "World":
+        """A world that another part of the library made in a context; the caller holds its lock."""
+        world = cls.__new__(cls)
+        super(World, world).__init__(owner, pointer, library.hs_world_destroy, dimension)
+        return world
+
+    @classmethod
+    def _borrowed(cls, owner: Context, pointer: Any, dimension: int) -> "World":
+        """The same, which another part of the library destroys."""
+        world = cls.__new__(cls)
+        super(World, world).__init__(owner, pointer, lambda _: None, dimension)
+        return world
 
     @classmethod
     def restore(
@@ -175,6 +195,7 @@ class World(ActedOn, CompoundBlocks):
     def __copy__(self) -> "World":
         other = World.restore(self.save(), context=self.context)
         other._given = self._given.copy()
+        other._names, other._notes_of_scene = dict(self._names), self._notes_of_scene
         return other
 
     def __deepcopy__(self, _: Dict[int, Any]) -> "World":
@@ -264,16 +285,44 @@ class World(ActedOn, CompoundBlocks):
             self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
         return block.value
 
+    def add_blocks(
+        self,
+        shapes: Sequence[Shape],
+        *,
+        kind: Union[BlockKind, str] = BlockKind.RIGID,
+        material: int = 0,
+        velocity: Optional[ArrayLike] = None,
+        angular_velocity: Optional[ArrayLike] = None,
+    ) -> NDArray[np.uint64]:
+        """Adds blocks in the coordinates of their vertices, as `jointed_rock`, `wall` and others make them. The other
+        arguments are those of `add_block`. Returns their ids.
+
+        Examples
+        --------
+        >>> from halfspace import stack
+        >>> world = World()
+        >>> stone = world.add_material(density=2000)
+        >>> len(world.add_blocks(stack((1, 1), count=3)))
+        3
+        """
+        ids = [
+            self.add_block(
+                shape, kind=kind, material=material, velocity=velocity, angular_velocity=angular_velocity
+            )
+            for shape in shapes
+        ]
+        return np.array(ids, np.uint64)
+
     def remove_block(self, block: int) -> None:
         """Removes a block; its id becomes stale."""
         self._call(library.hs_world_remove_block, block_id(block, "block"))
 
-    def state(self, block: int) -> Any:
+    def state(self, block: int) -> BlockState:
         """Returns the motion of a block: a record of `BLOCK_STATE`."""
         array, address = empty_record(BLOCK_STATE)
         state = _raw.hs_block_state.from_address(address)
         self._call(library.hs_world_get_block_state, block_id(block, "block"), state)
-        return array[0]
+        return cast(BlockState, array[0])
 
     def block_vertices(self, block: int) -> Floats:
         """Returns the current positions of a block's vertices, m, shape (n, dimension)."""
@@ -309,6 +358,7 @@ class World(ActedOn, CompoundBlocks):
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
         """Sets the external force at the centroid, N, and torque, N m, of a rigid or affine block, until set again."""
+        self._given.beyond_scenes.add("applied forces")
         self._call(
             library.hs_world_set_applied_force,
             block_id(block, "block"),
@@ -382,37 +432,22 @@ class World(ActedOn, CompoundBlocks):
             vector(shear_force, "shear_force"),
         )
 
-    @property
-    def report(self) -> Any:
-        """Time, time step, counts and energies: a record of `WORLD_REPORT`."""
-        array, address = empty_record(WORLD_REPORT)
-        self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
-        return array[0]
-
-    def plan(self, steps: int = 0) -> Any:
+    def plan(self, steps: int = 0) -> WorldPlan:
         """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.
 
-        Its times are measured over `steps` steps of a copy. ``WorldPart(int(plan.parts))`` has the active parts."""
+        Its times are measured over `steps` steps of a copy. ``plan.parts`` are the active parts, a `WorldPart`."""
         array, address = empty_record(WORLD_PLAN)
         self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
-        return array[0]
-
-    @property
-    def energy(self) -> Any:
-        """Energy ledger: a record of the fields of ``hs_energy``."""
-        return self.report.energy
-
-    @property
-    def time(self) -> float:
-        """Simulated time, s."""
-        return float(self.report.time)
+        return cast(WorldPlan, array[0])
 
     def check(self) -> List[str]:
-        """Returns notes on unusual settings: values in a wrong unit (a density in t/m3, a cohesion in MPa), gravity
-        that does not point down, blocks without support, bonds that were not made, a time step above the stable one,
-        settings of impulses that have no effect. Empty if there is nothing unusual; nothing is changed.
+        """Returns notes on unusual input: those of ``halfspace check`` (docs/scenes/notes.md), in the words of scenes,
+        whose angles are in degrees, and on bonds that were not made. Empty if there is nothing unusual; nothing is
+        changed.
 
-        For a world from `restore`, gravity, materials and laws are not checked.
+        Worlds that `Scene.from_world` refuses, as those with meshes, have fewer notes: on values in a wrong unit,
+        gravity, support, sizes, the time step, and settings of impulses. For a world from `restore`, gravity,
+        materials and laws are not checked.
 
         Examples
         --------
@@ -421,35 +456,7 @@ class World(ActedOn, CompoundBlocks):
         >>> world.check()
         ['material[0].density: 2.7 is unusual; usual: 50 to 19500 kg/m3, 2700 of rock']
         """
-        given = self._given
-        with held(self):
-            boxes, velocities = self._boxes(), self.velocities
-            report = self.report
-        gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
-        return [
-            *given.unusual(),
-            *notes_on_gravity(gravity, self.dimension),
-            *notes_on_support(boxes, gravity, velocities),
-            *notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0)),
-            *notes_on_impulses(given, boxes),
-            *notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step)),
-            *(f"{name} made no bond; usual: blocks with a common face" for name in given.empty_bonds),
-        ]
-
-    def _boxes(self) -> Boxes:
-        ids, outlines = self._outlined()
-        gravity = np.asarray(self._given.values.get("gravity", np.zeros(3)))
-        along = "xyz"[int(np.argmax(np.abs(gravity)))]
-        low, high = np.empty((2, len(ids), self.dimension))
-        moves, holds, deforms = np.zeros((3, len(ids)), bool)
-        for i, block in enumerate(ids):
-            low[i], high[i] = outlines[i].min(axis=0), outlines[i].max(axis=0)
-            kind = BlockKind(self.state(int(block)).kind)
-            moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
-            deforms[i] = kind in (BlockKind.AFFINE, BlockKind.MESH)
-            body = self.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
-            holds[i] = not moves[i] or along in self._given.held.get(body, "")
-        return Boxes(ids, low, high, moves, holds, deforms)
+        return notes_on(self)
 
     def _outlined(self) -> Tuple[NDArray[np.uint64], List[Floats]]:
         """All blocks but compounds, which have no vertices of their own, and their vertices."""
@@ -460,21 +467,28 @@ class World(ActedOn, CompoundBlocks):
     # ---- pictures ----
 
     def plot(self, ax: Any = None, *, contacts: bool = True) -> Any:
-        """Draws a 2D world by matplotlib: blocks, with fixed and prescribed ones in grey, and the contacts of the
-        last detection, as `halfspace.plot.plot_blocks`. Returns the axes."""
-        if self.dimension != 2:
-            raise ValueError(
-                "dimension is 3; only 2D worlds are drawn; ParaView reads the output of the halfspace command"
-            )
+        """Draws the world by matplotlib: blocks, with fixed and prescribed ones in grey, and a line along each
+        contact force of the last step, with a width proportional to it. Returns the axes.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw into, in 3D of ``projection="3d"``; by default the current ones, in 3D those of a new figure.
+        contacts : bool
+            Draw the forces.
+        """
         with held(self):
             blocks, outlines = self._outlined()
             free = (BlockKind.RIGID, BlockKind.AFFINE)
             are_free = [self.state(block).kind in free for block in blocks]
             touching = self.contacts()
-        return plot_blocks(blocks, outlines, are_free, touching if contacts else touching[:0], ax)
+        shown = touching if contacts else touching[:0]
+        if self.dimension == 3:
+            return plot_solids(blocks, outlines, are_free, shown, ax, context=self.context)
+        return plot_blocks(blocks, outlines, are_free, shown, ax)
 
     def _repr_png_(self) -> Optional[bytes]:
-        """None in 3D, and for a closed, empty or large world."""
-        if self.closed or self.dimension != 2 or not 0 < len(self) <= _PICTURE_LIMIT:
+        """None for a closed, empty or large world."""
+        if self.closed or not 0 < len(self) <= (_PICTURE_LIMIT if self.dimension == 2 else _PICTURE_LIMIT_IN_SPACE):
             return None
-        return picture_by(self.plot)
+        return picture_by(self.plot, self.dimension)

@@ -221,3 +221,38 @@ def test_ids_are_unsigned_64_bit_numbers(resting_world):
     contact = resting_world.contacts()[0]
     assert contact.block_a == blocks[0] and contact.block_b == blocks[1]
     assert resting_world.state(contact.block_b).mass == pytest.approx(2000)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_forces_of_all_blocks_in_and_out(dimension):
+    """Weights of 2000 kg are held by applied forces, and a torque turns a block by T t / I."""
+    world = hs.World(dimension, time_step=1e-3)
+    world.add_material(2000)
+    size = (1,) * dimension
+    box = hs.Shape.rectangle(*size) if dimension == 2 else hs.Shape.box(*size)
+    up = np.eye(dimension)[-1]
+    world.add_block(box, -5 * up, kind="fixed")
+    for i in range(3):
+        world.add_block(box, 2 * i * up)
+    torques = np.zeros(4) if dimension == 2 else np.zeros((4, 3))
+    torques[2] = 100
+    world.set_applied_forces(np.tile(2000 * 9.81 * up, (4, 1)), torques)
+    world.step(100)
+    assert world.velocities == pytest.approx(np.zeros((4, dimension)), abs=1e-12)
+    turned = world.angular_velocities[2]
+    assert turned == pytest.approx(100 * 0.1 / (2000 / 6) * np.ones(np.shape(turned)), rel=1e-6)
+    assert world.contact_forces.shape == (4, dimension) and not world.contact_forces.any()
+    world.set_applied_forces(np.zeros((4, dimension)))
+    world.step(10)
+    assert world.velocities[1:, -1] == pytest.approx(-9.81 * 0.01, rel=1e-9)
+    states = world.states()
+    assert states.mass[1:].tolist() == [2000] * 3 and states.kind[0] == hs.BlockKind.FIXED
+    with pytest.raises(ValueError, match="forces has the shape"):
+        world.set_applied_forces(np.zeros((3, dimension)))
+
+
+def test_contact_forces_balance_the_weight(resting_world):
+    resting_world.relax()
+    assert resting_world.contact_forces[1] == pytest.approx([0, 2000 * 9.81], rel=1e-3, abs=1)
+    assert resting_world.contact_forces.sum(axis=0) == pytest.approx([0, 0], abs=1e-6)
+    assert resting_world.contact_torques.shape == (2,)

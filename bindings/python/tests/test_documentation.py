@@ -1,18 +1,23 @@
 """Programs in the README and examples in docstrings work."""
 import doctest
+import inspect
 import pathlib
+import pydoc
 import re
 
 import pytest
 
 import halfspace
-from halfspace import affine, context, impact, law, pair, shape, world
+from halfspace import affine, context, generators, impact, law, pair, run, scene, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
-@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, affine, context, impact, law, pair, shape, world])
+MODULES = [affine, context, generators, impact, law, pair, run, scene, shape, world]
+
+
+@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, *MODULES])
 def test_examples_in_docstrings(module):
     names = {name: getattr(halfspace, name) for name in halfspace.__all__}
     result = doctest.testmod(module, extraglobs=names)
@@ -20,13 +25,16 @@ def test_examples_in_docstrings(module):
 
 
 @pytest.mark.skipif(not README.exists(), reason="the wheel is tested without the source tree")
-def test_programs_in_the_readme(capsys):
+def test_programs_in_the_readme(capsys, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib").use("Agg")
+    (tmp_path / "docs").symlink_to(README.parents[2] / "docs")
+    monkeypatch.chdir(tmp_path)
     names = {}
     for program in re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL):
         exec(program, names)
     assert names["contact"].gap == -0.125
     assert "EDGE_EDGE -0.125" in capsys.readouterr().out
+    assert (tmp_path / "out" / "frame_0000_contacts.vtp").exists()
 
 
 @pytest.mark.skipif(not SYMBOLS.exists(), reason="the wheel is tested without the source tree")
@@ -49,3 +57,12 @@ def test_everything_public_is_documented():
                     callable(value) or isinstance(value, (property, classmethod))
                 ):
                     assert getattr(member, attribute).__doc__, f"{name}.{attribute}"
+
+
+def test_lines_of_help_fit_a_screen():
+    for name in halfspace.__all__:
+        for line in pydoc.plain(pydoc.render_doc(getattr(halfspace, name))).splitlines():
+            assert len(line) <= 120, f"{name}: {line}"
+    signature = str(inspect.signature(halfspace.World.add_block))
+    assert "    kind: Union[BlockKind, str] = BlockKind.RIGID,\n" in signature and signature.endswith("\n) -> int")
+    assert str(inspect.signature(halfspace.World.step)) == "(self, steps: int = 1) -> None"

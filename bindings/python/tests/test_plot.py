@@ -61,9 +61,24 @@ def test_a_notebook_shows_a_world(resting_world):
     assert hs.World(3)._repr_png_() is None
 
 
-def test_only_2d_is_drawn(axes):
-    with pytest.raises(ValueError, match="only 2D worlds"):
-        hs.World(3).plot(axes)
+def test_a_world_in_space_with_its_contacts():
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    world = hs.World(3, law=hs.Law(normal_stiffness=1e8), time_step=1e-3)
+    world.add_material(2000)
+    world.add_block(hs.Shape.box(4, 4, 1), (0, 0, -0.5), kind="fixed")
+    world.add_blocks(hs.stack((1, 1, 1), 2))
+    world.step(10)
+    axes = Figure().add_subplot(projection="3d")
+    assert world.plot(axes) is axes
+    fixed, free, contacts = axes.collections
+    FigureCanvasAgg(axes.figure).draw()
+    assert len(fixed.get_facecolors()) == 6 and len(free.get_facecolors()) == 12
+    assert len(contacts.get_segments()) == 2
+    assert axes.get_xlim() == (-2, 2) and axes.get_zlim() == (-1, pytest.approx(2, abs=1e-3))
+    assert world._repr_png_()[:4] == b"\x89PNG"
+    assert len(hs.World(3).plot().collections) == 0
 
 
 def test_matplotlib_is_optional():

@@ -49,14 +49,16 @@ def test_records_in_records_and_constants_print_their_names():
     state.kind = hs.BlockKind.RIGID
     assert state["pose"]["rotation"][3] == 1 and repr(state.pose) == POSE.replace("0.])", "1.])")
     assert "\n    kind=BlockKind.RIGID,\n" in repr(state) and "\n    mass=0.0,\n)" in repr(state)
+    assert state.kind is hs.BlockKind.RIGID and state["kind"] == 2
     state.kind = 77  # of a later version
-    assert "kind=77" in repr(state)
+    assert "kind=77" in repr(state) and state.kind == 77
 
 
 def test_sums_of_constants_print_all_names():
     plan = np.zeros(1, records.WORLD_PLAN)[0]
     plan.parts = hs.WorldPart.FRICTION | hs.WorldPart.SLEEP
     assert "parts=WorldPart.FRICTION|SLEEP" in repr(plan)
+    assert hs.WorldPart.SLEEP in plan.parts and hs.WorldPart.BONDS not in plan.parts
 
 
 def test_tensors_are_rows():

@@ -50,8 +50,7 @@ SearchResult search_from_rest(const Scene& scene, const std::shared_ptr<Model>& 
                               const std::function<void(double)>& set, const SearchWords& words,
                               const SearchOptions& options, const std::string& identity,
                               OutputDirectory& directory) {
-  remember_interrupts();
-  Progress progress;
+  Progress progress(options.on_progress);
   SearchResult result{.report = scene_lines(scene)};
   const std::string trouble = not_settled(scene, *model, progress);
   if (!trouble.empty()) {

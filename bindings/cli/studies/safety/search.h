@@ -18,6 +18,7 @@ struct SearchOptions {
   double limit = 0;           ///< m, displacement of a fallen block; 0: that of the trials
   bool smallest = false;      ///< stable at the high end
   bool resumes = false;       ///< from the trials in the directory
+  ProgressListener on_progress = {};
 };
 
 enum class SearchEnd {

@@ -1,0 +1,23 @@
+#include "model/model.h"
+
+namespace halfspace::cli {
+
+std::vector<std::string> Model::names() const {
+  int64_t count = 0;
+  require(context_, hs_world_get_blocks(world_.get(), nullptr, 0, &count));
+  std::vector<hs_block> blocks(static_cast<std::size_t>(count));
+  require(context_, hs_world_get_blocks(world_.get(), blocks.data(), count, nullptr));
+  std::vector<std::string> names;
+  for (const hs_block block : blocks) {
+    const auto compound = index_of_compound_.find(block);
+    if (compound == index_of_compound_.end()) {
+      names.push_back(layout_.blocks[index_of(block)].name);
+    } else {  // its parts are name.0, name.1, ...
+      const std::string& part = layout_.blocks[layout_.compounds[compound->second].first_block].name;
+      names.push_back(part.substr(0, part.rfind('.')));
+    }
+  }
+  return names;
+}
+
+}  // namespace halfspace::cli

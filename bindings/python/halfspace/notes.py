@@ -1,0 +1,66 @@
+"""Notes on unusual input of a world: those of the command, where a scene can describe the world."""
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Iterator, List
+
+import numpy as np
+
+from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
+from .constants import BlockKind
+from .context import held
+from .world_tables import unwritten_parts
+
+if TYPE_CHECKING:
+    from .world import World
+
+_PLACE = re.compile(r"^scene:\d+:\d+: note: ")
+_OF_START = " at the start by "
+_OF_NO_WORLD = ("world.duration: ", "output.")
+
+
+def notes_on(world: "World") -> List[str]:
+    """The notes of the scene that the world was made of; else those of the scene that describes it."""
+    with held(world):
+        if world._notes_of_scene is not None:
+            return list(world._notes_of_scene)
+        start = _notes_by_tables(world) if unwritten_parts(world) else _notes_of_command(world)
+    return [*start, *(f"{name} made no bond; usual: blocks with a common face" for name in world._given.empty_bonds)]
+
+
+def _notes_of_command(world: "World") -> List[str]:
+    from .scene import Scene  # which knows worlds
+
+    if len(world) == 0:
+        return list(world._given.unusual())
+    notes = [_PLACE.sub("", note) for note in Scene.from_world(world).check()]
+    if world.report.steps > 0:  # contacts overlap then
+        notes = [note for note in notes if _OF_START not in note]
+    return [note for note in notes if not note.startswith(_OF_NO_WORLD)]
+
+
+def _notes_by_tables(world: "World") -> Iterator[str]:
+    given, boxes, report = world._given, _boxes(world), world.report
+    gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
+    yield from given.unusual()
+    yield from notes_on_gravity(gravity, world.dimension)
+    yield from notes_on_support(boxes, gravity, world.velocities)
+    yield from notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0))
+    yield from notes_on_impulses(given, boxes)
+    yield from notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step))
+
+
+def _boxes(world: "World") -> Boxes:
+    ids, outlines = world._outlined()
+    gravity = np.asarray(world._given.values.get("gravity", np.zeros(3)))
+    along = "xyz"[int(np.argmax(np.abs(gravity)))]
+    low, high = np.empty((2, len(ids), world.dimension))
+    moves, holds, deforms = np.zeros((3, len(ids)), bool)
+    for i, block in enumerate(ids):
+        low[i], high[i] = outlines[i].min(axis=0), outlines[i].max(axis=0)
+        kind = BlockKind(world.state(int(block)).kind)
+        moves[i] = kind not in (BlockKind.FIXED, BlockKind.PRESCRIBED)
+        deforms[i] = kind in (BlockKind.AFFINE, BlockKind.MESH)
+        body = world.body_of_block(int(block))[0] if kind is BlockKind.MESH else 0
+        holds[i] = not moves[i] or along in world._given.held.get(body, "")
+    return Boxes(ids, low, high, moves, holds, deforms)

@@ -1,0 +1,123 @@
+"""The tables of a scene that describe a world."""
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping
+
+import numpy as np
+
+from .affine import Elasticity
+from .constants import BlockKind, FastBlocks, Plane, StiffnessKind
+from .law import Law
+
+if TYPE_CHECKING:
+    from .world import World
+
+_KIND_NAMES = {BlockKind.RIGID: "rigid", BlockKind.AFFINE: "affine", BlockKind.FIXED: "fixed",
+               BlockKind.PRESCRIBED: "prescribed"}
+_OF_SPRINGS = ("normal_stiffness", "shear_stiffness", "normal_damping", "shear_damping")
+
+
+def _law_keys(law: Law) -> Dict[str, Any]:
+    """The keys of a law; those that its kind has no use for are unknown to scenes."""
+    keys = dataclasses.asdict(law)
+    kind = StiffnessKind(keys.pop("stiffness_kind"))
+    keys["friction_angle"] = math.degrees(law.friction_angle)
+    has_springs = kind != StiffnessKind.NONE
+    if has_springs or law.cohesion > 0 or law.tensile_strength > 0:
+        del keys["restitution"]
+    if not has_springs:
+        keys = {key: value for key, value in keys.items() if key not in _OF_SPRINGS}
+    if kind == StiffnessKind.POTENTIAL:
+        del keys["cohesion"], keys["tensile_strength"]
+    return {"stiffness": kind.name.lower().replace("_", " "), **keys}
+
+
+def _material_tables(world: "World") -> List[Dict[str, Any]]:
+    tables: List[Dict[str, Any]] = []
+    while f"material[{len(tables)}].density" in world._given.values:
+        key = f"material[{len(tables)}]"
+        table = {"name": f"material{len(tables)}", "density": world._given.values[f"{key}.density"]}
+        if key in world._given.elasticities:
+            table.update(_elasticity_keys(world._given.elasticities[key], world.dimension))
+        tables.append(table)
+    return tables
+
+
+def _elasticity_keys(elasticity: Elasticity, dimension: int) -> Dict[str, Any]:
+    keys = dataclasses.asdict(elasticity)
+    plane = Plane(keys.pop("plane"))
+    return {**keys, "plane": plane.name.lower()} if dimension == 2 else keys
+
+
+def _world_keys(world: "World", duration: float) -> Dict[str, Any]:
+    keys = {key: value for key, value in world._given.settings.items() if value is not None}
+    if "parallel_angle" in keys:
+        keys["parallel_angle"] = math.degrees(keys["parallel_angle"])
+    if "fast_blocks" in keys:
+        keys["fast_blocks"] = FastBlocks(keys["fast_blocks"]).name.lower()
+    keys["gravity"] = np.asarray(world._given.values["gravity"])[: world.dimension]
+    for name in ("mass_damping", "time_step", "sleep_tolerance"):
+        if world._given.values[name] > 0:
+            keys[name] = world._given.values[name]
+        else:
+            keys.pop(name, None)
+    return {"duration": duration, **keys}
+
+
+def _block_tables(world: "World") -> List[Dict[str, Any]]:
+    tables = []
+    for name, block, state in zip(world.names, world.blocks.tolist(), world.states()):
+        kind = BlockKind(int(state.kind))
+        table = {
+            "name": name,
+            "material": f"material{state.material}",
+            "kind": _KIND_NAMES[kind],
+            "vertices": world.block_vertices(block),
+        }
+        if kind != BlockKind.FIXED:
+            turn = np.degrees(state.angular_velocity)
+            table["velocity"] = state.velocity[: world.dimension]
+            table["angular_velocity"] = turn[2] if world.dimension == 2 else turn
+        tables.append(table)
+    return tables
+
+
+def unwritten_parts(world: "World") -> List[str]:
+    """The parts of a world that no table describes, in words; empty if `tables_of` describes it all."""
+    parts = sorted(world._given.beyond_scenes)
+    kinds = world.states()["kind"]
+    if (kinds == BlockKind.MESH).any():
+        parts.append("meshes")
+    if world.bond_report.bond_count > 0:
+        parts.append("bonds")
+    if "default_law" not in world._given.laws:
+        parts.append("laws of a snapshot")
+    return parts
+
+
+def tables_of(world: "World", duration: float) -> Mapping[str, Any]:
+    """The tables of a world at its current state.
+
+    Raises
+    ------
+    ValueError
+        The world has parts that no table describes.
+    """
+    unwritten = unwritten_parts(world)
+    if unwritten:
+        raise ValueError(f"the world has {', '.join(unwritten)}; a scene of a world has blocks, materials and laws only")
+    laws = []
+    for name, law in world._given.laws.items():
+        if name != "default_law":  # law[a, b]
+            between = [f"material{index.strip()}" for index in name[4:-1].split(",")]
+            laws.append({"between": between, **_law_keys(law)})
+    return {
+        "dimension": world.dimension,
+        "world": _world_keys(world, duration),
+        "default_law": _law_keys(world._given.laws["default_law"]),
+        "material": _material_tables(world),
+        **({"law": laws} if laws else {}),
+        "block": _block_tables(world),
+    }
