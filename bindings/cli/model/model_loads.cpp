@@ -57,6 +57,13 @@ void Model::set_water() {
     require(context_, hs_world_set_water(world_.get(), &now->def, view_of(now->table)));
 }
 
+std::optional<std::size_t> Model::block_at(const Point& place) const {
+  hs_block block = 0;
+  require(context_, hs_world_get_block_at(world_.get(), place.data(), &block));
+  if (block == 0) return std::nullopt;
+  return index_of(block);
+}
+
 /// The block that carries an end of a bolt; 0 for the ground.
 hs_block Model::block_at_end(const Bolt& bolt, std::size_t end) const {
   const std::string& name = bolt.blocks[end];
