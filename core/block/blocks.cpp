@@ -304,7 +304,7 @@ std::int32_t Blocks<D>::containing(const Vector<D>& place) const {
   std::int32_t deepest = -1;
   double least = 0;
   for (std::size_t slot = 0; slot < slot_count(); ++slot) {
-    if (!lives(slot)) continue;
+    if (!lives(slot) || is_compound(slot)) continue;  // a compound has no outline of its own
     const Outline<D> outline = this->outline(std::int32_t(slot));
     const Vector<D> arm = place - position[slot];
     double height = -HUGE_VAL;
