@@ -120,6 +120,35 @@ TEST_CASE("the force of water is the gradient of its energy, also at corners and
   }
 }
 
+TEST_CASE("a polyhedron comes to rest with the draught of Archimedes") {
+  // A tetrahedron with its apex below: the part under water is a smaller one.
+  Sea sea(3);
+  const Shape shape = make_hull(sea.context.get(), {{0, 0, -1.5}, {1, 1, 0.5}, {-1, 1, 0.5}, {0, -2, 0.5}});
+  const hs_block buoy = add_block(sea.context.get(), sea.world.get(), shape, HS_BLOCK_RIGID,
+                                  pose_at({0, 0, 0.3}, {0, 0, 1}, 0.4));
+  require_ok(hs_world_hold_block(sea.world.get(), buoy, HS_AXIS_X | HS_AXIS_Y | HS_AXIS_ROTATION),
+             sea.context.get());
+  set_water(sea.context.get(), sea.world.get(), {{0, 0, 0}});
+  const hs_relaxation_def def = relaxation_def(200000, 1e-9);
+  require_ok(hs_world_relax(sea.world.get(), &def, nullptr, 0), sea.context.get());
+  // Its centroid is a quarter of its height of 2 below its base.
+  const double draught = 1.5 - height_of(sea.world.get(), buoy, 3);
+  CHECK(draught == Approx(2 * std::cbrt(0.6)).margin(1e-6));
+}
+
+TEST_CASE("ponded water presses on a dam, and below its base as far as the table reaches") {
+  Sea sea(2);
+  const Shape dam = make_shape(sea.context.get(), box(0, 0, 3, 4));
+  add_block(sea.context.get(), sea.world.get(), dam, HS_BLOCK_RIGID, pose_at(1.5, 2));
+  const double depth = 2.5, reach = 1;
+  set_water(sea.context.get(), sea.world.get(), {{reach, depth, 0}, {reach, -1, 0}});
+  const Loads loads = loads_of(sea.world.get());
+  const double thrust = 1000 * g * depth * depth / 2, uplift = 1000 * g * depth * reach;
+  CHECK(loads.forces[0].x == Approx(thrust).epsilon(1e-12));
+  CHECK(loads.forces[0].y == Approx(uplift).epsilon(1e-12));
+  CHECK(loads.torques[0].z == Approx((2 - depth / 3) * thrust - (1.5 - reach / 2) * uplift).epsilon(1e-12));
+}
+
 TEST_CASE("water below a sloping table pushes blocks down its slope, and all displaced water weighs") {
   Sea sea(2);
   sea.add_box(2, -5, HS_BLOCK_RIGID, 0.7);
