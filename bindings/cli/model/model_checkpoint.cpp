@@ -22,7 +22,7 @@ void add_water_to(Archive& archive, std::optional<Water>& water) {
 bool has_waters_between(const std::optional<Water>& before, const std::optional<Water>& after) {
   if (!before || !after) return true;
   const std::size_t a = before->table.size(), b = after->table.size();
-  return a == b || a == 1 || b == 1;
+  return (a == b && before->def.columns == after->def.columns) || a == 1 || b == 1;
 }
 
 }  // namespace

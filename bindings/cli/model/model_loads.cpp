@@ -32,6 +32,7 @@ Water water_between(const std::optional<Water>& before, const Water& after, doub
   water.def.factor = between(before->def.factor, after.def.factor, progress);
   water.def.density = between(before->def.density, after.def.density, progress);
   water.table.resize(std::max(before->table.size(), after.table.size()));
+  water.def.columns = std::max(before->def.columns, after.def.columns);
   for (std::size_t i = 0; i < water.table.size(); ++i) {
     water.table[i] = plus(times(1 - progress, corner_of(*before, after, i, up)),
                           times(progress, corner_of(after, *before, i, up)));
