@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "halfspace/action.h"
 #include "mesh_nodes.h"
 #include "sized_struct.h"
@@ -72,10 +74,8 @@ Vector<3> place_of_force(const hs_action_def& def, const Blocks<D>& blocks, std:
     refuse(HS_ERROR_ARGUMENT, "def.place is %d; it must be an HS_PLACE_ value", def.place);
   Vector<3> point = Vector<3>::Zero();
   if (def.place == HS_PLACE_CENTROID) return point;
-  Vector<D> place = read_finite_vector<D>(def.point, "def.point");
-  if (def.place == HS_PLACE_CARRIED)
-    place = blocks.gradient(slot).inverse() * (place - blocks.position[slot]);
-  point.template head<D>() = place;
+  const Vector<D> place = read_finite_vector<D>(def.point, "def.point");
+  point.template head<D>() = def.place == HS_PLACE_CARRIED ? blocks.in_frame_of(slot, place) : place;
   return point;
 }
 
@@ -112,14 +112,12 @@ hs_status hs_world_add_table(hs_world* world, const double times[], hs_view valu
     rows.reserve(std::size_t(values.count));
     for (std::int64_t i = 0; i < values.count; ++i) rows.push_back(read_row(values, i, "values"));
     const std::span<const double> all(times, std::size_t(values.count));
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_jump = i > 0 && all[i] == all[i - 1];
-      if (!is_within_limits(all[i]) || (i > 0 && all[i] < all[i - 1]) ||
-          (is_jump && i > 1 && all[i] == all[i - 2])) {
-        refuse(HS_ERROR_ARGUMENT,
-               "times[%zu] is %g; times must be finite and ascend, and no more than two may be equal", i,
-               all[i]);
-      }
+    const auto beyond = std::find_if_not(all.begin(), all.end(), is_within_limits);
+    const std::size_t bad = std::min(std::size_t(beyond - all.begin()), first_out_of_order(all));
+    if (bad < all.size()) {
+      refuse(HS_ERROR_ARGUMENT,
+             "times[%zu] is %g; times must be finite and ascend, and no more than two may be equal", bad,
+             all[bad]);
     }
     *table = w.add_table(all, rows);
     return HS_OK;

@@ -19,7 +19,8 @@ hs_water_def default_definition() {
 namespace {
 
 /// Refuses corners that are not those of a table.
-void require_table(const Array<Vector<2>>& corners) {
+void require_table(const Array<Vector<2>>& corners, std::int32_t columns) {
+  if (columns != 0) refuse(HS_ERROR_ARGUMENT, "def.columns is %d; it must be 0 in 2D", columns);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     if (corners[i].x() < corners[i - 1].x()) {
       refuse(HS_ERROR_ARGUMENT, "table[%zu] is %s; its x must be at least that of the corner before, %.17g",
@@ -27,9 +28,33 @@ void require_table(const Array<Vector<2>>& corners) {
     }
   }
 }
-void require_table(const Array<Vector<3>>& corners) {
-  if (corners.size() == 2 || corners.size() > 3)
-    refuse(HS_ERROR_ARGUMENT, "table.count is %zu; it must be 0, 1 or 3", corners.size());
+void require_table(const Array<Vector<3>>& corners, std::int32_t columns) {
+  if (columns == 0) {
+    if (corners.size() == 2 || corners.size() > 3) {
+      refuse(HS_ERROR_ARGUMENT, "table.count is %zu; it must be 0, 1 or 3 without def.columns",
+             corners.size());
+    }
+    return;
+  }
+  if (columns < 2) refuse(HS_ERROR_ARGUMENT, "def.columns is %d; it must be 0 or at least 2", columns);
+  const std::size_t per_row = std::size_t(columns);
+  if (corners.size() < 2 * per_row || corners.size() % per_row != 0) {
+    refuse(HS_ERROR_ARGUMENT, "table.count is %zu; it must be at least 2 rows of def.columns, %d",
+           corners.size(), columns);
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t column = i % per_row, row = i / per_row;
+    const bool is_right = column == 0 || corners[i].x() > corners[i - 1].x();
+    const bool is_behind = row == 0 || corners[i].y() > corners[i - per_row].y();
+    if (is_right && is_behind && corners[i].x() == corners[column].x() &&
+        corners[i].y() == corners[row * per_row].y())
+      continue;
+    refuse(
+        HS_ERROR_ARGUMENT,
+        "table[%zu] is %s; x must ascend in each row and be the same in each column, y must ascend from row "
+        "to row and be the same in each row",
+        i, PointText(corners[i]).characters);
+  }
 }
 
 }  // namespace
@@ -40,15 +65,14 @@ hs_status hs_water_def_init(hs_water_def* def, size_t size) { return write_defin
 hs_status hs_world_set_water(hs_world* world, const hs_water_def* given, hs_view table) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     const hs_water_def def = read_definition(given, "def");
-    if (def.reserved != 0) refuse(HS_ERROR_ARGUMENT, "def.reserved is %d; it must be 0", def.reserved);
     require_from_zero(def.density, "def.density");
     require_from_zero(def.factor, "def.factor");
     const double density = def.density * def.factor;
     require(is_within_limits(density), density, "def.density times def.factor", "at most 1e75");
     WaterTable<D> known(&world->context->memory);
     Array<Vector<D>> corners = read_finite_points<D>(world->context, table, "table");
-    require_table(corners);
-    known.set(std::move(corners));
+    require_table(corners, def.columns);
+    known.set(std::move(corners), def.columns);
     if (!known.is_table())
       refuse(HS_ERROR_ARGUMENT, "table is steeper than %g; make it level or less steep", max_water_slope);
     w.set_water(std::move(known), density);

@@ -1,62 +1,17 @@
 #include "block/blocks.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/angle.h"
 #include "geometry/deformed_outline.h"
-#include "geometry/numbers.h"
 
 namespace halfspace {
 namespace {
 
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
-
-/// A force f at X accelerates the gradient by f X^T M^-1, and X by that times X: maximum at a vertex.
-template <int D>
-double strain_mobility_of(const Outline<D>& own, const Tensor<D>& inverse_mass_matrix) {
-  double most = 0;
-  for (int i = 0; i < own.vertex_count(); ++i)
-    most = std::max(most, own.vertex(i).dot(inverse_mass_matrix * own.vertex(i)));
-  return most;
-}
-
-/// The smallest eigenvalue of a symmetric tensor; in 2D the determinant divided by the largest eigenvalue.
-double least_eigenvalue(const Tensor<2>& t) {
-  const double mean = 0.5 * (t(0, 0) + t(1, 1));
-  const double difference = 0.5 * (t(0, 0) - t(1, 1)) / mean, across = t(0, 1) / mean;
-  const double largest = mean * (1 + std::sqrt(difference * difference + across * across));
-  return t(0, 0) * (t(1, 1) / largest) - t(0, 1) * (t(0, 1) / largest);
-}
-double least_eigenvalue(const Tensor<3>& t) {
-  return Eigen::SelfAdjointEigenSolver<Tensor<3>>(t, Eigen::EigenvaluesOnly).eigenvalues()[0];
-}
-
-/// Scaled by a power of two, which is exact: the determinant is a square or cube of the entries and could
-/// overflow or underflow.
-template <int D>
-Tensor<D> inverse_of(const Tensor<D>& t) {
-  int exponent = 0;
-  std::frexp(t.cwiseAbs().maxCoeff(), &exponent);
-  const double scale = std::ldexp(1.0, -exponent);
-  return scale * (scale * t).inverse();
-}
-
-/// The deformation of a new block: none.
-template <int D>
-Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot) {
-  Deformation<D> deformation;
-  deformation.slot = slot;
-  deformation.volume = mass_of(shape, 1);
-  deformation.mass_matrix = density * second_moment_of(shape);
-  deformation.inverse_mass_matrix = inverse_of<D>(deformation.mass_matrix);
-  deformation.least_moment = least_eigenvalue(deformation.mass_matrix);
-  deformation.strain_mobility = strain_mobility_of(shape.outline(), deformation.inverse_mass_matrix);
-  return deformation;
-}
 
 Box<2> box_of(const Outline<2>& o) {
   const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
@@ -70,12 +25,6 @@ Box<3> box_of(const Outline<3>& o) {
   const auto [least_y, most_y] = std::minmax_element(o.y, o.y + count);
   const auto [least_z, most_z] = std::minmax_element(o.z, o.z + count);
   return {{*least_x, *least_y, *least_z}, {*most_x, *most_y, *most_z}};
-}
-
-template <int D>
-bool is_turn(const Rotation<D>& rotation) {
-  const Tensor<D> turn = rotation.tensor();
-  return (turn.transpose() * turn - Tensor<D>::Identity()).norm() <= 1e-6;
 }
 
 }  // namespace
@@ -344,78 +293,6 @@ void Blocks<D>::follow_node_velocities(const SurfaceCell<D>& cell) {
 }
 
 template <int D>
-std::int32_t Blocks<D>::add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
-                                     BlockKind block_kind, std::int32_t block_material, double density) {
-  const CompoundBody<D> body = compound_body(shapes, poses, density);
-  compounds_.make_room(shapes.size(), slot_count() + shapes.size() + 1);
-  const std::int32_t compound = occupy(outlines_.take_in_none(), block_kind, block_material);
-  const std::size_t c = std::size_t(compound);
-  mass[c] = body.mass;
-  inertia[c] = body.inertia;
-  radius[c] = body.radius;
-  largest_face[c] = 0;
-  thickness[c] = body.radius;
-  compounds_.add(compound);
-  try {
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      Part<D> part;
-      part.pose = {poses[i].position - body.centroid, poses[i].rotation};
-      part.block = add(*shapes[i], block_kind, block_material, density);
-      part.compound = compound;
-      compounds_.add(part);
-      largest_face[c] = std::max(largest_face[c], largest_face[std::size_t(part.block)]);
-      thickness[c] = std::min(thickness[c], thickness[std::size_t(part.block)]);
-    }
-  } catch (...) {
-    take_back_compound(compound);
-    throw;
-  }
-  place(compound, Vector<D>::Zero(), Rotation<D>());
-  set_motion(compound, Vector<D>::Zero(), Angular<D>::Zero());
-  return compound;
-}
-
-template <int D>
-void Blocks<D>::take_back_compound(std::int32_t compound) {
-  const std::span<const Part<D>> parts = compounds_.parts_of(std::size_t(compound));
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) take_back(part->block);
-  compounds_.remove(compound);
-  take_back(compound);
-}
-
-template <int D>
-void Blocks<D>::remove_compound(std::int32_t compound) {
-  compounds_.remove(compound);
-  remove(compound);
-}
-
-template <int D>
-void Blocks<D>::follow(std::int32_t compound) {
-  for (const Part<D>& part : compounds_.parts_of(std::size_t(compound))) follow(part);
-}
-
-template <int D>
-void Blocks<D>::follow_velocity(std::int32_t compound) {
-  for (const Part<D>& part : compounds_.parts_of(std::size_t(compound))) follow_velocity(part);
-}
-
-template <int D>
-void Blocks<D>::follow(const Part<D>& part) {
-  const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
-  position[p] = position[c] + rotation[c] * part.pose.position;
-  set_rotation(p, rotation[c] * part.pose.rotation);
-  outlines_.turn(part.block, rotation[p]);
-  follow_velocity(part);
-}
-
-template <int D>
-void Blocks<D>::follow_velocity(const Part<D>& part) {
-  const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
-  velocity[p] = velocity_at(c, position[p] - position[c]);
-  spin[p] = spin[c];
-}
-
-template <int D>
 Box<D> Blocks<D>::box(std::int32_t slot) const {
   const Box<D> about_centroid = box_of(outline(slot));
   const Vector<D>& p = position[std::size_t(slot)];
@@ -427,7 +304,7 @@ std::int32_t Blocks<D>::containing(const Vector<D>& place) const {
   std::int32_t deepest = -1;
   double least = 0;
   for (std::size_t slot = 0; slot < slot_count(); ++slot) {
-    if (!lives(slot)) continue;
+    if (!lives(slot) || is_compound(slot)) continue;  // a compound has no outline of its own
     const Outline<D> outline = this->outline(std::int32_t(slot));
     const Vector<D> arm = place - position[slot];
     double height = -HUGE_VAL;
@@ -456,65 +333,6 @@ std::size_t Blocks<D>::most_components() const {
     if (lives(slot)) most = std::max(most, component_count(own_outline(std::int32_t(slot))));
   }
   return most;
-}
-
-template <int D>
-bool Blocks<D>::is_consistent(std::int32_t material_count) const {
-  const std::size_t slots = slot_count();
-  const std::size_t sizes[] = {
-      material.size(),  generation.size(),     position.size(),       velocity.size(), force.size(),
-      rotation.size(),  applied_force.size(),  spin.size(),           momentum.size(), torque.size(),
-      mass.size(),      applied_torque.size(), inertia.size(),        radius.size(),   largest_face.size(),
-      thickness.size(), held.size(),           outlines_.slot_count()};
-  if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
-    return false;
-  if (angle.size() != (D == 2 ? slots : 0)) return false;
-  Array<std::int32_t> living(kind.get_allocator().resource());
-  for (std::size_t i = 0; i < slots; ++i) {
-    if (kind[i] == BlockKind::none) continue;
-    living.push_back(std::int32_t(i));
-    if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::mesh) return false;
-    if (material[i] < 0 || material[i] >= material_count) return false;
-    const bool is_placed = all_finite(position[i]) && is_turn<D>(rotation[i]);
-    // That of a deformable block follows from its deformation.
-    const bool has_momentum = is_deformable(i) || all_finite(momentum[i]);
-    const bool moves = all_finite(velocity[i]) && all_finite(spin[i]) && has_momentum;
-    const bool is_driven = all_finite(applied_force[i]) && all_finite(applied_torque[i]);
-    const bool resists = is_positive(mass[i]) && is_positive(inertia[i].least_moment());
-    if (!(is_placed && moves && is_driven && resists)) return false;
-    if (held[i] >= 2 << D || (held[i] != 0 && kind[i] != BlockKind::rigid)) return false;
-    if (!is_positive(radius[i]) || !is_finite(thickness[i])) return false;
-  }
-  Array<std::uint8_t> is_taken(slots, 0, kind.get_allocator());
-  const auto is_free = [&](std::int32_t slot) {
-    return slot >= 0 && std::size_t(slot) < slots && !lives(std::size_t(slot)) &&
-           !is_taken[std::size_t(slot)]++;
-  };
-  const auto has_its_outline = [&](std::int32_t slot) {
-    return (own_outline(slot).vertex_count() == 0) == is_compound(std::size_t(slot));
-  };
-  const auto is_like_its_compound = [&](const Part<D>& part) {
-    const BlockKind of_compound = kind[std::size_t(part.compound)];
-    return of_compound != BlockKind::none && of_compound <= BlockKind::rigid &&
-           kind[std::size_t(part.block)] == of_compound && is_turn<D>(part.pose.rotation);
-  };
-  const auto is_on_surface = [&](const SurfaceCell<D>& cell) {
-    return std::size_t(cell.block) < slots && is_of_mesh(std::size_t(cell.block)) &&
-           own_outline(cell.block).vertex_count() == D + 1;
-  };
-  const auto joins_living = [&](const Bond<D>& bond) {
-    return bond.a < 0 || (lives(std::size_t(bond.a)) && lives(std::size_t(bond.b)));
-  };
-  return std::int64_t(living.size()) == living_ &&
-         std::count(held.begin(), held.end(), 0) == std::ptrdiff_t(slots) - held_count_ &&
-         free_slots_.size() == slots - living.size() && all(free_slots_, is_free) &&
-         outlines_.is_consistent(living) && compounds_.is_consistent(slots) && all(living, has_its_outline) &&
-         all(compounds_.parts(), is_like_its_compound) &&
-         all(deformations_.all(), [](const Deformation<D>& d) { return d.is_consistent(); }) &&
-         deformations_.is_consistent(slots, [&](std::size_t slot) { return is_deformable(slot); }) &&
-         bonds_.is_consistent(slots) && all(bonds_.all(), joins_living) &&
-         meshes_.is_consistent(material_count) && all(meshes_.surface(), is_on_surface) &&
-         std::count(kind.begin(), kind.end(), BlockKind::mesh) == std::ptrdiff_t(meshes_.surface().size());
 }
 
 template class Blocks<2>;

@@ -135,6 +135,12 @@ class Blocks {
   Tensor<D> gradient(std::size_t slot) const {
     return is_deformable(slot) ? deformation(slot).gradient : rotation[slot].tensor();
   }
+  /// A place in space, in the frame of the shape.
+  Vector<D> in_frame_of(std::size_t slot, const Vector<D>& place) const {
+    return gradient(slot).inverse() * (place - position[slot]);
+  }
+  /// From the centroid to a place in the frame of the shape.
+  Vector<D> arm_to(std::size_t slot, const Vector<D>& own) const { return gradient(slot) * own; }
   /// A lower bound of the thickness in the present deformation.
   double strained_thickness(std::size_t slot) const {
     return is_deformable(slot) ? thickness[slot] / deformation(slot).gradient.inverse().norm()

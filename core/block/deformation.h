@@ -102,6 +102,10 @@ struct Deformation {
   }
 };
 
+/// The deformation of a new block: none.
+template <int D>
+Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t slot);
+
 /// The rotation nearest to a gradient, by its polar decomposition.
 inline Rotation<2> rotation_of(const Tensor<2>& gradient) {
   const double cosine = gradient(0, 0) + gradient(1, 1), sine = gradient(1, 0) - gradient(0, 1);

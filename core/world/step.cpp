@@ -64,7 +64,7 @@ void World<D>::predict_actions(double duration) {
   for (auto& target : actions.targets()) {
     if (target.is_servo) target.resistance = stable_step_.contact_resistance_of(target.slot, duration);
   }
-  actions.predict(clock_.time(), duration, model_.blocks);
+  actions.predict({clock_.time(), duration}, model_.blocks);
   integrator_.take_actions(duration);
 }
 
@@ -132,12 +132,12 @@ StepResult World<D>::prepare() {
   // Memory of blocks is taken first, that of pairs by detection: contacts are found only when all of it is
   // there.
   const std::size_t slots = model_.blocks.slot_count();
+  model_.actions.renew(model_.blocks);
   stable_step_.reserve(slots);
   integrator_.reserve(slots);
   if (model_.settings.sleep_tolerance > 0) sleep_.reserve(slots);
   if (!choose_time_step()) return StepResult::no_time_step;
   integrator_.resize(slots);
-  if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
   if (!model_.viscous_nodes.empty()) model_.viscous_nodes.renew(model_.blocks.meshes());
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
@@ -210,14 +210,28 @@ StepResult World<D>::predict_changed() {
   }
 }
 
+/// Predicts the next motion. Where it cannot be made, actions return to the loads of the last one.
+template <int D>
+StepResult World<D>::predict_next() {
+  const typename Actions<D>::Motion last = model_.actions.motion();
+  try {
+    const StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
+    if (result != StepResult::ok) model_.actions.return_to(last, model_.blocks);
+    return result;
+  } catch (const std::bad_alloc&) {
+    model_.actions.return_to(last, model_.blocks);
+    throw;
+  }
+}
+
 /// One motion, or several where fast blocks divide the step. A step that would take more than max_motions
 /// ends in between, and can be continued.
 template <int D>
 StepResult World<D>::step() {
   motions_ = 0;
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
-  StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
-  for (;; result = predict_rest()) {
+  for (;;) {
+    const StepResult result = predict_next();
     if (result != StepResult::ok) {
       contacts_.neighbors().forget_announcements();
       return result;
@@ -248,6 +262,7 @@ StepResult World<D>::step() {
   template StepResult World<D>::predict_rest();             \
   template StepResult World<D>::prepare_and_predict();      \
   template StepResult World<D>::predict_changed();          \
+  template StepResult World<D>::predict_next();             \
   template StepResult World<D>::step();
 
 HALFSPACE_MEMBERS(2)

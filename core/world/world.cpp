@@ -45,7 +45,7 @@ void World<D>::forget_contacts() {
 
 template <int D>
 void World<D>::end_reading() {
-  if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
+  model_.actions.renew(model_.blocks);
   model_.viscous_nodes.renew(model_.blocks.meshes());
   fit_rooms();
 }

@@ -299,6 +299,7 @@ class World {
   StepResult prepare_and_predict();
   StepResult predict_changed();
   StepResult predict_rest();
+  StepResult predict_next();
   StepResult divide();
   StepResult diverged() const;
   void move();

@@ -59,7 +59,7 @@ FIELD(hs_world_plan, bolt_seconds, 248, 8);
 
 _Static_assert(sizeof(hs_water_def) >= 24, "hs_water_def");
 FIELD(hs_water_def, struct_size, 0, 4);
-FIELD(hs_water_def, reserved, 4, 4);
+FIELD(hs_water_def, columns, 4, 4);
 FIELD(hs_water_def, density, 8, 8);
 FIELD(hs_water_def, factor, 16, 8);
 

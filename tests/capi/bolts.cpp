@@ -200,6 +200,38 @@ TEST_CASE("a bolt refuses every bad definition and stale number") {
   CHECK(at == 0);
 }
 
+TEST_CASE("a place beside a compound is in its own block, and one in a compound is in a part") {
+  const int dimension = GENERATE(2, 3);
+  Pair pair(dimension);
+  hs_world* const w = pair.world.get();
+  const Shape shape = shape_of_box(pair.context.get(), dimension);
+  const hs_shape* const shapes[] = {shape.get(), shape.get()};
+  const hs_pose poses[] = {pose_at(-5, 0), pose_at(-7, 0)};
+  hs_block_def def;
+  require_ok(hs_compound_def_init(&def, sizeof def, shapes, poses, 2), pair.context.get());
+  hs_block compound = 0, parts[2] = {};
+  require_ok(hs_world_add_compound(w, shapes, poses, 2, &def, &compound), pair.context.get());
+  require_ok(hs_world_get_compound_parts(w, compound, parts, 2, nullptr), pair.context.get());
+  const auto block_at = [&](double x) {
+    const double place[3] = {x, 0.1, 0};
+    hs_block block = 7;
+    require_ok(hs_world_get_block_at(w, place, &block), pair.context.get());
+    return block;
+  };
+  CHECK(block_at(0) == pair.first);
+  CHECK(block_at(3) == pair.second);
+  CHECK(block_at(-5) == parts[0]);
+  CHECK(block_at(-7) == parts[1]);
+  CHECK(block_at(-6) == 0);
+  // A bolt on a part pulls its compound.
+  add_bolt(pair.context.get(), w, bolt_def(parts[0], {-5, 0, 0}, pair.first, {0, 0, 0}, 1e6));
+  pair.pull(pair.first, 1);
+  pair.step(50);
+  const hs_block_state one = state_of(w, pair.first), other = state_of(w, compound);
+  CHECK(other.velocity[0] > 0.01);
+  CHECK(one.mass * one.velocity[0] + other.mass * other.velocity[0] == Approx(one.mass).epsilon(1e-12));
+}
+
 TEST_CASE("blocks on a bolt sleep and wake together, and a snapshot continues with the same bits") {
   hs_world_def def = world_def(2);
   def.sleep_tolerance = 1;

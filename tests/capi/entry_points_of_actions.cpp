@@ -58,6 +58,13 @@ void add_actions_and_more(Scene& s) {
   require_ok(hs_world_add_mesh(s.world.get(), s.bar.get(), &def, nullptr, &other), s.context.get());
 }
 
+/// The same without contacts, which a step would find before its last request for memory.
+void add_actions_apart(Scene& s) {
+  add_actions_and_more(s);
+  const hs_pose above = pose_at(0, 9);
+  require_ok(hs_world_set_pose(s.world.get(), s.upper, &above), s.context.get());
+}
+
 void save_with_actions(Scene& s) {
   add_actions_and_more(s);
   s.snapshot = saved(s.world.get());
@@ -119,6 +126,8 @@ std::vector<EntryPoint> calls_on_worlds_with_actions() {
          });
        },
        save_with_actions},
+      {"a step of a world with actions", Allocates::always,
+       [](S s) { return hs_world_step(s.world.get(), 1); }, add_actions_apart},
   };
 }
 

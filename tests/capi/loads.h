@@ -19,6 +19,12 @@ inline void set_water(hs_context* context, hs_world* world, const Points3& table
   require_ok(hs_world_set_water(world, &def, view_of(table)), context);
 }
 
+inline void set_water_map(hs_context* context, hs_world* world, const Points3& map, std::int32_t columns) {
+  hs_water_def def = water_def();
+  def.columns = columns;
+  require_ok(hs_world_set_water(world, &def, view_of(map)), context);
+}
+
 inline hs_bolt_def bolt_def(hs_block a, const Point3& at_a, hs_block b, const Point3& at_b,
                             double stiffness) {
   hs_bolt_def def;

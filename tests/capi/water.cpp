@@ -120,6 +120,92 @@ TEST_CASE("the force of water is the gradient of its energy, also at corners and
   }
 }
 
+TEST_CASE("the force of water below a height map is the gradient of its energy") {
+  const std::int32_t kind = GENERATE(std::int32_t(HS_BLOCK_RIGID), std::int32_t(HS_BLOCK_AFFINE));
+  // Cells within the block, and others beyond it; the block also reaches beyond the border.
+  const double heights[] = {0.1, 0.3, -0.2, 0.4, 0.2, -0.1, 0.3, 0, -0.3, 0.2, 0.1, 0.4};
+  Points3 map;
+  for (const double y : {-0.4, 0.1, 0.7}) {
+    for (const double x : {-0.8, -0.3, 0.2, 3.0}) map.push_back({x, y, heights[map.size()]});
+  }
+  for (int i = 0; i < 8; ++i) {
+    Sea sea(3);
+    const hs_block raft = sea.add_box(3, 0.1 * i - 0.4, kind, 0.4 * i);
+    set_water_map(sea.context.get(), sea.world.get(), map, 4);
+    const Point3 force = loads_of(sea.world.get()).forces[0];
+    const hs_pose pose = state_of(sea.world.get(), raft).pose;
+    for (int axis = 0; axis < 3; ++axis) {
+      constexpr double step = 1e-5;
+      double energy[2];
+      for (const int side : {0, 1}) {
+        hs_pose moved = pose;
+        moved.position[axis] += side == 0 ? -step : step;
+        require_ok(hs_world_set_pose(sea.world.get(), raft, &moved), sea.context.get());
+        energy[side] = report_of(sea.world.get()).water_energy;
+      }
+      CAPTURE(kind, i, axis);
+      const double component = axis == 0 ? force.x : axis == 1 ? force.y : force.z;
+      CHECK(component == Approx((energy[0] - energy[1]) / (2 * step)).margin(1e-3));
+    }
+  }
+}
+
+TEST_CASE("a height map that is plane is a plane, and is saved") {
+  Sea by_plane(3, 1e-3), by_map(3, 1e-3);
+  by_plane.add_box(3, 0.1, HS_BLOCK_RIGID, 0.5);
+  by_map.add_box(3, 0.1, HS_BLOCK_RIGID, 0.5);
+  const auto height = [](double x, double y) { return 0.1 + 0.2 * x - 0.3 * y; };
+  Points3 map;
+  for (const double y : {-9.0, -0.6, 0.2, 9.0}) {
+    for (const double x : {-9.0, -0.5, 0.1, 0.4, 9.0}) map.push_back({x, y, height(x, y)});
+  }
+  set_water(by_plane.context.get(), by_plane.world.get(),
+            {{0, 0, height(0, 0)}, {1, 0, height(1, 0)}, {0, 1, height(0, 1)}});
+  set_water_map(by_map.context.get(), by_map.world.get(), map, 5);
+  const Loads expected = loads_of(by_plane.world.get()), loads = loads_of(by_map.world.get());
+  const double scale = expected.forces[0].z;
+  CHECK(scale > 1e3);
+  CHECK(loads.forces[0].x == Approx(expected.forces[0].x).margin(1e-12 * scale));
+  CHECK(loads.forces[0].y == Approx(expected.forces[0].y).margin(1e-12 * scale));
+  CHECK(loads.forces[0].z == Approx(scale).epsilon(1e-12));
+  CHECK(loads.torques[0].x == Approx(expected.torques[0].x).margin(1e-12 * scale));
+  CHECK(loads.torques[0].y == Approx(expected.torques[0].y).margin(1e-12 * scale));
+  CHECK(loads.torques[0].z == Approx(expected.torques[0].z).margin(1e-12 * scale));
+  const World copy = restored(by_map.context.get(), saved(by_map.world.get()));
+  require_ok(hs_world_step(by_map.world.get(), 50), by_map.context.get());
+  require_ok(hs_world_step(copy.get(), 50), by_map.context.get());
+  CHECK(saved(copy.get()) == saved(by_map.world.get()));
+}
+
+TEST_CASE("a polyhedron comes to rest with the draught of Archimedes") {
+  // A tetrahedron with its apex below: the part under water is a smaller one.
+  Sea sea(3);
+  const Shape shape = make_hull(sea.context.get(), {{0, 0, -1.5}, {1, 1, 0.5}, {-1, 1, 0.5}, {0, -2, 0.5}});
+  const hs_block buoy = add_block(sea.context.get(), sea.world.get(), shape, HS_BLOCK_RIGID,
+                                  pose_at({0, 0, 0.3}, {0, 0, 1}, 0.4));
+  require_ok(hs_world_hold_block(sea.world.get(), buoy, HS_AXIS_X | HS_AXIS_Y | HS_AXIS_ROTATION),
+             sea.context.get());
+  set_water(sea.context.get(), sea.world.get(), {{0, 0, 0}});
+  const hs_relaxation_def def = relaxation_def(200000, 1e-9);
+  require_ok(hs_world_relax(sea.world.get(), &def, nullptr, 0), sea.context.get());
+  // Its centroid is a quarter of its height of 2 below its base.
+  const double draught = 1.5 - height_of(sea.world.get(), buoy, 3);
+  CHECK(draught == Approx(2 * std::cbrt(0.6)).margin(1e-6));
+}
+
+TEST_CASE("ponded water presses on a dam, and below its base as far as the table reaches") {
+  Sea sea(2);
+  const Shape dam = make_shape(sea.context.get(), box(0, 0, 3, 4));
+  add_block(sea.context.get(), sea.world.get(), dam, HS_BLOCK_RIGID, pose_at(1.5, 2));
+  const double depth = 2.5, reach = 1;
+  set_water(sea.context.get(), sea.world.get(), {{reach, depth, 0}, {reach, -1, 0}});
+  const Loads loads = loads_of(sea.world.get());
+  const double thrust = 1000 * g * depth * depth / 2, uplift = 1000 * g * depth * reach;
+  CHECK(loads.forces[0].x == Approx(thrust).epsilon(1e-12));
+  CHECK(loads.forces[0].y == Approx(uplift).epsilon(1e-12));
+  CHECK(loads.torques[0].z == Approx((2 - depth / 3) * thrust - (1.5 - reach / 2) * uplift).epsilon(1e-12));
+}
+
 TEST_CASE("water below a sloping table pushes blocks down its slope, and all displaced water weighs") {
   Sea sea(2);
   sea.add_box(2, -5, HS_BLOCK_RIGID, 0.7);
@@ -238,6 +324,28 @@ TEST_CASE("water refuses what is no table, and a snapshot continues with the sam
   check_unchanged(space, "hs_world_set_water",
                   {{"table.count", "2", in_space({{0, 0, 0}, {1, 0, 0}})},
                    {"table", "steeper", in_space({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}})}});
+  const auto by_map = [](Sea& s, const Points3& table, std::int32_t columns) {
+    return [&s, table, columns] {
+      hs_water_def def = water_def();
+      def.columns = columns;
+      return hs_world_set_water(s.world.get(), &def, view_of(table));
+    };
+  };
+  const Points3 square = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  Points3 turned = square, bent = square, steep = square;
+  std::swap(turned[0], turned[1]);
+  bent[3].y = 1.5;
+  steep[3].z = 1e7;
+  check_unchanged(sea, "hs_world_set_water", {{"def.columns", "2", by_map(sea, square, 2)}});
+  check_unchanged(space, "hs_world_set_water",
+                  {{"def.columns", "-1", by_map(space, square, -1)},
+                   {"def.columns", "1", by_map(space, square, 1)},
+                   {"table.count", "4", by_map(space, square, 3)},
+                   {"table.count", "4", by_map(space, square, 4)},
+                   {"table.count", "0", by_map(space, {}, 2)},
+                   {"table[1]", "(0, 0, 0)", by_map(space, turned, 2)},
+                   {"table[3]", "(1, 1.5, 0)", by_map(space, bent, 2)},
+                   {"table", "steeper", by_map(space, steep, 2)}});
   set_water(sea.context.get(), w, {{-1, 0, 0}, {1, 0.2, 0}});
   require_ok(hs_world_step(w, 100), sea.context.get());
   const World copy = restored(sea.context.get(), saved(w));

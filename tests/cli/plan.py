@@ -176,6 +176,18 @@ gravity = [0, 0]
         short = self.plan(SLIDE, "--time", "0.01")
         self.assertIn("can be left out", self.line(short, "friction"))
 
+    def test_concave_blocks_and_actions_are_listed_and_can_be_left_out(self):
+        angle = "vertices = [[0, 1], [2, 1], [2, 2], [1, 2], [1, 3], [0, 3]]"
+        action = '\n[[action]]\non = "falling"\nkind = "force"\ntable = [[0, 0, 2500], [1, 0, 2500]]\n'
+        text = FALLING.format(local_damping=0).replace("vertices = [[0, 1], [1, 1], [1, 2], [0, 2]]", angle + action)
+        run = self.plan(text.replace('kind = "affine"\n', ""), "--time", "0.1")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.line(run, "concave blocks"), "1 of 2 convex parts")
+        self.assertEqual(self.line(run, "actions"), "1")
+        self.assertTrue(self.line(run, "active").endswith("actions"))
+        # The force is a third of a metre per second squared, or 1.7 mm of a block of some 1.4 m in radius.
+        self.assertRegex(run.stdout, r"(?m)^actions +-?[0-9.e-]+ % +0\.1 % of its size")
+
     def test_what_cannot_be_planned_says_why(self):
         run = self.plan(SLIDE.replace('name = "slider"', 'name = "slider"\nkind = "fixed"'))
         self.assertEqual(run.returncode, 1)

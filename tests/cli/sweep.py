@@ -1,6 +1,7 @@
 """Sweeps: a scene for all combinations of values, with runs that fail, interrupts and resuming."""
 import csv
 import math
+import shutil
 import signal
 import subprocess
 import time
@@ -130,6 +131,27 @@ class Sweep(SceneTest):
         self.assertIn("--resume continues", error)
         self.assertTrue((self.output / "runs" / "0001" / "checkpoint").exists())
         self.assertEqual([row["run"] for row in self.table()], ["0"])
+
+    def test_a_killed_sweep_is_resumed_to_its_end(self):
+        arguments = ("--set", "world.duration=1,20,40,41", "-j", "2")
+
+        def results():
+            return [[row["run"], row["exit_status"], row["run_out"], row["max_displacement"], row["energy_residual"]]
+                    for row in self.table()]
+
+        self.sweep(*arguments)
+        undisturbed = results()
+        self.assertEqual([row[:2] for row in undisturbed], [["0", "0"], ["1", "0"], ["2", "0"], ["3", "0"]])
+        shutil.rmtree(self.output)
+        with subprocess.Popen([COMMAND, "sweep", str(self.scene), "-o", str(self.output), *arguments],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            while process.poll() is None and (not (self.output / "table.csv").exists() or len(self.table()) < 1):
+                time.sleep(0.02)
+            process.kill()
+        time.sleep(1)  # its runs end with it
+        self.assertLess(len(self.table()), 4)
+        self.sweep(*arguments, "--resume")
+        self.assertEqual(results(), undisturbed)
 
     def test_wrong_usage(self):
         for arguments, told in ((("--set", "world.skin=0.1"), "nothing to vary"), (("--set", "world.skin=1:2"), "not a range"),

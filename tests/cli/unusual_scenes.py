@@ -312,6 +312,13 @@ class UnusualScenes(unittest.TestCase):
         beside = '[[block]]\nname = "beside"\nmaterial = "stone"\nvertices = [[8, 0], [9, 0], [9, 1], [8, 1]]\n'
         self.assert_one(PILE + beside, r'block\[3\]: "beside" falls out of the scene')
         self.assertEqual(self.notes(edited(PILE + beside, "duration = 1", "duration = 0.01")), [])
+        self.assertEqual(self.notes(PILE + beside + 'hold = "y"\n'), [])
+        cable = '[[bolt]]\nname = "cable"\nfrom = [8.5, 0.5]\nto = [8.5, 9]\nblocks = ["beside", "ground"]\nstiffness = 1e6\n'
+        self.assertEqual(self.notes(PILE + beside + cable), [])
+        to_the_pile = edited(cable, "[8.5, 9]", "[0.5, 1.5]", 'blocks = ["beside", "ground"]\n', "")
+        self.assertEqual(self.notes(PILE + beside + to_the_pile), [])
+        self.assertEqual(self.notes(PILE + beside + "[water]\nlevel = -5\ndensity = 3000\n"), [])
+        self.assert_one(PILE + beside + "[water]\nlevel = -5\n", r'"beside" falls out of the scene')
         self.assertEqual(self.notes(PILE + beside + "velocity = [-5, 5]\n"), [])
         self.assertEqual(self.notes(only(PILE, "floor") + edited(beside, "8, 0", "1, 1", "9, 0", "2, 1", "9, 1", "2, 2", "8, 1", "1, 2")), [])
         carried = edited(BEAM, "[0, -9.81]", "[0, 0]", '[[mesh.support]]\ngroup = "left"\n', "")

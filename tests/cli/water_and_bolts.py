@@ -1,4 +1,6 @@
 """Water that stages change, and bolts that stages install: draught, tensions, files, faults, and resumed runs."""
+import csv
+
 import vtk
 
 from command import EXAMPLES, SceneTest, main
@@ -134,6 +136,20 @@ class WaterAndBolts(SceneTest):
         self.assertLess(float(self.rows()[-1]["largest_speed"]), 0.01)
         self.run_scene(text.replace("stiffness = 2e7", "stiffness = 1").replace("pretension = 2e5", "pretension = 0"))
         self.assertGreater(float(self.rows()[-1]["largest_speed"]), 0.5)
+
+    def test_bolts_hold_slices_on_a_plane_that_is_steeper_than_their_friction(self):
+        text = (EXAMPLES / "bolted_slope" / "bolted_slope.toml").read_text()
+        run = self.run_scene(text)
+        self.assertRegex(run.stdout, r"stage bolted +settled .*, at rest")
+        self.assertLess(float(self.rows()[-1]["largest_speed"]), 1e-3)
+        with open(self.output / "bolts.csv", newline="") as file:
+            last = list(csv.DictReader(file))[-3:]
+        # The slices follow their bolts by less than a millimetre.
+        for bolt in last:
+            self.assertAlmostEqual(float(bolt["tension"]), 1e5, delta=2e7 * 1e-3)
+        loose = text.replace("stiffness = 2e7", "stiffness = 1").replace("pretension = 1e5", "pretension = 0")
+        self.run_scene(loose.replace('do = "settle"', 'do = "run"\nduration = 0.1'))
+        self.assertGreater(float(self.rows()[-1]["largest_speed"]), 1)
 
 
 main()

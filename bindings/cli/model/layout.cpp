@@ -15,6 +15,7 @@
 #include "common/suggestion.h"
 #include "common/text.h"
 #include "model/checked_shape.h"
+#include "model/followers.h"
 #include "model/joint_stress.h"
 #include "model/near_blocks.h"
 
@@ -140,7 +141,7 @@ class LayoutBuilder {
       blocks = {*block};
     }
     for (const std::size_t block : blocks) {
-      if (can_follow(layout_.blocks[block], action)) continue;
+      if (can_follow(layout_.blocks[block], action, layout_.dimension)) continue;
       faults_.add(action.place, action.key,
                   "\"" + layout_.blocks[block].name + "\" cannot follow it; allowed: " + followers(action));
       return;
@@ -205,23 +206,6 @@ class LayoutBuilder {
   Layout take() { return std::move(layout_); }
 
  private:
-  static bool is_load(const Action& action) {
-    return action.kind == HS_ACTION_FORCE || action.kind == HS_ACTION_TORQUE;
-  }
-  bool can_follow(const LayoutBlock& block, const Action& action) const {
-    if (is_load(action)) return block.kind == HS_BLOCK_RIGID || block.kind == HS_BLOCK_AFFINE;
-    if (block.kind == HS_BLOCK_PRESCRIBED) return true;
-    const bool is_angular =
-        action.kind == HS_ACTION_ANGULAR_VELOCITY || action.kind == HS_ACTION_ANGULAR_ACCELERATION;
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimension); ++axis)
-      if (action.scale[axis] != 0 && (block.motion.held_axes >> axis & 1) == 0) return false;
-    return block.kind == HS_BLOCK_RIGID && !is_angular;
-  }
-  static const char* followers(const Action& action) {
-    return is_load(action) ? "a rigid or affine block; a mesh takes loads by [[mesh.load]]"
-                           : "a prescribed block, or a rigid one with these axes in its key hold";
-  }
-
   /// A part goes with all parts of its compound.
   void take_whole_compounds(std::vector<std::size_t>& blocks) const {
     for (std::size_t i = 0, count = blocks.size(); i < count; ++i) {

@@ -106,11 +106,14 @@ class Model {
   Point velocity_of(const CarriedPoint& point) const;
   /// The active parts of the world, and the cost of so many steps, measured on a copy.
   hs_world_plan account(std::int64_t steps) const;
-  /// The index in the layout of a block of the world, or of a cell of a body.
+  /// The index in the layout of a block of the world, of the first part of a compound, or of a cell of a
+  /// body.
   std::size_t index_of(hs_block block) const;
   std::size_t index_of(hs_body body, int32_t cell) const {
     return layout_.bodies[index_of_body_.at(body)].first_block + static_cast<std::size_t>(cell);
   }
+  /// The block that contains a place, as an index in the layout.
+  std::optional<std::size_t> block_at(const Point& place) const;
   const Layout& layout() const { return layout_; }
 
  private:

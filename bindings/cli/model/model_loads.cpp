@@ -32,6 +32,7 @@ Water water_between(const std::optional<Water>& before, const Water& after, doub
   water.def.factor = between(before->def.factor, after.def.factor, progress);
   water.def.density = between(before->def.density, after.def.density, progress);
   water.table.resize(std::max(before->table.size(), after.table.size()));
+  water.def.columns = std::max(before->def.columns, after.def.columns);
   for (std::size_t i = 0; i < water.table.size(); ++i) {
     water.table[i] = plus(times(1 - progress, corner_of(*before, after, i, up)),
                           times(progress, corner_of(after, *before, i, up)));
@@ -55,6 +56,13 @@ std::optional<Water> Model::water() const {
 void Model::set_water() {
   if (const std::optional<Water> now = water())
     require(context_, hs_world_set_water(world_.get(), &now->def, view_of(now->table)));
+}
+
+std::optional<std::size_t> Model::block_at(const Point& place) const {
+  hs_block block = 0;
+  require(context_, hs_world_get_block_at(world_.get(), place.data(), &block));
+  if (block == 0) return std::nullopt;
+  return index_of(block);
 }
 
 /// The block that carries an end of a bolt; 0 for the ground.

@@ -42,6 +42,30 @@ Assembly::Assembly(const Start& start)
     for (std::size_t i = 1; i < compound.part_count; ++i)
       connected_.emplace_back(compound.first_block, compound.first_block + i);
   }
+  connect_bolts();
+}
+
+/// Bolts of the start and of the first stage.
+void Assembly::connect_bolts() {
+  std::vector<char> is_installed;
+  for (const Bolt& bolt : start_.scene.bolts) is_installed.push_back(!bolt.is_installed_later);
+  if (!start_.scene.stages.empty())
+    for (const std::size_t bolt : start_.scene.stages[0].installed) is_installed[bolt] = 1;
+  for (std::size_t i = 0; i < is_installed.size(); ++i) {
+    if (!is_installed[i]) continue;
+    const auto a = block_at_end(start_.scene.bolts[i], 0), b = block_at_end(start_.scene.bolts[i], 1);
+    if (a && b) connected_.emplace_back(*a, *b);
+    if (a.has_value() != b.has_value()) on_ground_.push_back(a ? *a : *b);
+  }
+}
+
+/// Empty for the ground.
+std::optional<std::size_t> Assembly::block_at_end(const Bolt& bolt, std::size_t end) const {
+  const std::string& name = bolt.blocks[end];
+  if (name.empty()) return start_.model.block_at(bolt.ends[end]);
+  for (std::size_t i = 0; i < start_.layout.blocks.size(); ++i)
+    if (start_.layout.blocks[i].name == name) return i;
+  return std::nullopt;
 }
 
 void Assembly::connect_cells(const LayoutBody& body) {
@@ -73,7 +97,11 @@ std::vector<std::size_t> Assembly::clusters(const std::vector<char>& is_gone) co
 
 std::vector<char> Assembly::held_blocks(int axes) const {
   std::vector<char> is_held(bodies_.size());
-  for (std::size_t i = 0; i < is_held.size(); ++i) is_held[i] = !moves_freely(start_.layout.blocks[i].kind);
+  for (std::size_t i = 0; i < is_held.size(); ++i) {
+    const LayoutBlock& block = start_.layout.blocks[i];
+    is_held[i] = !moves_freely(block.kind) || (block.motion.held_axes & axes) != 0;
+  }
+  for (const std::size_t i : on_ground_) is_held[i] = 1;
   for (const LayoutBody& body : start_.layout.bodies) {
     std::vector<char> node_is_held(body.node_count);
     for (const LayoutBody::Support& support : body.supports) {

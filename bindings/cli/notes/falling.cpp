@@ -18,6 +18,8 @@ struct Cluster {
   std::size_t objects = 0;  ///< blocks and whole bodies
   bool is_thrown = false;   ///< it has a velocity at the start
   double thickness = 0;     ///< of its thickest block
+  double volume = 0;
+  double mass = 0;
 };
 
 class Falling {
@@ -41,7 +43,7 @@ class Falling {
     std::set<std::string> noted;  // once for each table of the file
     for (const Cluster& cluster : clusters) {
       const LayoutBlock& block = first_of(cluster);
-      if (noted.contains(block.key) || cluster.is_thrown || !falls_far(cluster)) continue;
+      if (noted.contains(block.key) || cluster.is_thrown || floats(cluster) || !falls_far(cluster)) continue;
       const double gap = gap_below(cluster);
       std::string text;
       if (gap == std::numeric_limits<double>::infinity()) {
@@ -107,6 +109,9 @@ class Falling {
       cluster.objects += is_new;
       cluster.is_thrown = cluster.is_thrown || length(point_of(start_.bodies[i].state.velocity)) > 0;
       cluster.thickness = std::max(cluster.thickness, start_.bodies[i].thickness);
+      cluster.volume += start_.bodies[i].volume;
+      cluster.mass +=
+          start_.bodies[i].volume * start_.scene.materials[static_cast<std::size_t>(block.material)].density;
       cluster.blocks.push_back(i);
     }
     return clusters;
@@ -118,10 +123,21 @@ class Falling {
     return settles_ || 0.5 * length(gravity_) * time * time >= 0.01 * cluster.thickness;
   }
 
+  /// True if water of the scene, which is somewhere below all places, carries the cluster.
+  bool floats(const Cluster& cluster) const {
+    const auto carries = [&](const std::optional<Water>& water) {
+      return water && cluster.mass < water->def.factor * water->def.density * cluster.volume;
+    };
+    const auto& stages = start_.scene.stages;
+    return carries(start_.scene.water) ||
+           std::any_of(stages.begin(), stages.end(),
+                       [&](const SceneStage& stage) { return carries(stage.water); });
+  }
+
   void note_no_support(const std::vector<Cluster>& clusters) {
     const Cluster* lowest = nullptr;
     for (const Cluster& cluster : clusters) {
-      if (cluster.is_thrown || !falls_far(cluster)) continue;
+      if (cluster.is_thrown || floats(cluster) || !falls_far(cluster)) continue;
       if (!lowest || height(cluster) < height(*lowest)) lowest = &cluster;
     }
     if (!lowest) return;

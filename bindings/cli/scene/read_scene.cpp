@@ -166,7 +166,7 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_default_law(keys.table("default_law", true), scene);
   read_laws(keys.tables("law", false), scene);
   read_bonds(keys.tables("bond", false), scene);
-  scene.water = read_water(keys, {});
+  scene.water = read_water(keys, {}, scene.folder);
   read_bolts(keys.tables("bolt", false), scene);
   read_stages(keys.tables("stage", false), scene);
   read_actions(keys.tables("action", false), scene);

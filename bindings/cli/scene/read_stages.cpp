@@ -43,7 +43,8 @@ const std::optional<Water>& water_before(const Scene& scene) {
 
 /// Corners are moved one by one, and a level becomes any other table.
 bool can_change_gradually(const Water& from, const Water& to) {
-  return from.table.size() == to.table.size() || from.table.size() == 1 || to.table.size() == 1;
+  const bool are_alike = from.table.size() == to.table.size() && from.def.columns == to.def.columns;
+  return are_alike || from.table.size() == 1 || to.table.size() == 1;
 }
 
 SceneStage read_stage(Keys& keys, Scene& scene, Laws& present) {
@@ -71,10 +72,11 @@ SceneStage read_stage(Keys& keys, Scene& scene, Laws& present) {
   stage.strength_factor = change(keys, "strength_factor", above(0));
   stage.loads = change(keys, "loads", any_number());
   const std::optional<Water>& before = water_before(scene);
-  stage.water = read_water(keys, before);
+  stage.water = read_water(keys, before, scene.folder);
   if (before && stage.water && !can_change_gradually(*before, *stage.water)) {
     keys.fault("water", "a table of " + std::to_string(stage.water->table.size()) + " points after one of " +
-                            std::to_string(before->table.size()) + "; allowed: as many points, or a level");
+                            std::to_string(before->table.size()) +
+                            "; allowed: as many points in as many rows, or a level");
   }
   stage.installed = read_installed(keys, scene);
   std::vector<Place> places;

@@ -1,6 +1,11 @@
 #include "scene/read_water.h"
 
 #include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "blocks/terrain/height_map.h"
+#include "common/files.h"
 
 namespace halfspace::cli {
 namespace {
@@ -29,6 +34,32 @@ std::vector<Point> read_plane(Keys& keys) {
   return plane;
 }
 
+/// The heights of a CSV file, whose first row is the northernmost, as points with ascending x and y.
+void read_map(Keys& keys, const std::string& folder, Water& water) {
+  const std::string name = keys.text("file", required);
+  const double spacing = keys.number("spacing", above(0), required);
+  const Point shift = keys.point("shift", Point{});
+  if (keys.has_any({"level", "plane"}))
+    keys.fault("file", "beside level or plane; allowed: one of level, plane and file");
+  HeightMap map;
+  try {
+    map = read_csv_heights(name, content_of((std::filesystem::path(folder) / name).string()));
+  } catch (const std::runtime_error& error) {
+    return keys.fault("file", error.what());
+  }
+  if (map.columns < 2 || map.rows < 2)
+    return keys.fault("file", "fewer than two rows or columns of heights; allowed: two or more of each");
+  water.def.columns = static_cast<int32_t>(map.columns);
+  water.table.clear();
+  for (std::size_t row = 0; row < map.rows; ++row) {
+    for (std::size_t column = 0; column < map.columns; ++column) {
+      const double height = map.heights[(map.rows - 1 - row) * map.columns + column];
+      water.table.push_back(
+          plus(shift, {spacing * static_cast<double>(column), spacing * static_cast<double>(row), height}));
+    }
+  }
+}
+
 std::vector<Point> read_table(Keys& keys) {
   const char* other = keys.dimension() == 3 ? "plane" : "table";
   if (keys.either("level", other)) return read_level(keys);
@@ -37,7 +68,7 @@ std::vector<Point> read_table(Keys& keys) {
 
 }  // namespace
 
-std::optional<Water> read_water(Keys& keys, const std::optional<Water>& before) {
+std::optional<Water> read_water(Keys& keys, const std::optional<Water>& before, const std::string& folder) {
   if (!keys.has_any({"water"})) return std::nullopt;
   Keys table = keys.table("water", true);
   Water water;
@@ -49,7 +80,12 @@ std::optional<Water> read_water(Keys& keys, const std::optional<Water>& before) 
   water.def.density = table.number("density", at_least(0), water.def.density);
   water.def.factor = table.number("factor", at_least(0), water.def.factor);
   const char* line = table.dimension() == 3 ? "plane" : "table";
-  if (!before || table.has_any({"level", line})) water.table = read_table(table);
+  if (table.dimension() == 3 && table.has_any({"file"})) {
+    read_map(table, folder, water);
+  } else if (!before || table.has_any({"level", line})) {
+    water.table = read_table(table);
+    water.def.columns = 0;
+  }
   table.finish();
   return water;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/keys.h"
 #include "scene/scene.h"
@@ -8,7 +9,7 @@
 namespace halfspace::cli {
 
 /// The table `water` of a scene or of a stage; empty if there is none. Keys that a stage leaves out keep the
-/// value that they had before.
-std::optional<Water> read_water(Keys& keys, const std::optional<Water>& before);
+/// value that they had before. `folder`: of the file of a height map.
+std::optional<Water> read_water(Keys& keys, const std::optional<Water>& before, const std::string& folder);
 
 }  // namespace halfspace::cli

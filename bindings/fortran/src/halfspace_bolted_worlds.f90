@@ -118,14 +118,15 @@ contains
   end subroutine block_at
 
   !> Sets the water, in place of the water before. Without points there is no water.
-  subroutine set_water(self, table, density, factor, rows, stat, errmsg)
+  subroutine set_water(self, table, density, factor, rows, columns, stat, errmsg)
     class(bolted_world), intent(inout) :: self
     !> in 2D the corners of a polyline, in ascending order of x, level beyond its ends; in 3D one point of a level
-    !! plane, or three points of a plane
+    !! plane, three points of a plane, or the points of a height map row by row
     real(c_double), intent(in), target :: table(:,:)
     real(c_double), intent(in), optional :: density  !< kg/m3; default 1000
     real(c_double), intent(in), optional :: factor  !< multiplies the pressure; default 1
     logical, intent(in), optional :: rows  !< layout of the table
+    integer, intent(in), optional :: columns  !< 3D: points in each row of a height map; default 0: a plane
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(hs_water_def) :: def
@@ -134,6 +135,7 @@ contains
     status = hs_water_def_init(def, c_sizeof(def))
     if (present(density)) def%density = density
     if (present(factor)) def%factor = factor
+    if (present(columns)) def%columns = int(columns, c_int32_t)
     status = hs_world_set_water(self%c_handle(), def, view(table, rows))
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine set_water

@@ -764,7 +764,7 @@ module halfspace_c
   !> Properties of water. Fill it with hs_water_def_init().
   type, bind(c) :: hs_water_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_water_def_init()
-    integer(c_int32_t) :: reserved = 0  !< 0
+    integer(c_int32_t) :: columns = 0  !< 3D: points in each row of a height map; default 0: the table is a plane
     real(c_double) :: density = 0.0_c_double  !< kg/m3, >= 0; default 1000
     real(c_double) :: factor = 0.0_c_double  !< >= 0: multiplies the pressure; default 1
   end type hs_water_def
@@ -1827,7 +1827,7 @@ module halfspace_c
       type(c_ptr), value :: world  !< not NULL
       real(c_double), intent(in) :: place(3)  !< 3 values, m
       !> receives the block in which the place is deepest, or 0 if it is outside of all blocks; of meshes,
-      !! only cells at the surface are blocks
+      !! only cells at the surface are blocks, of a compound its parts
       integer(c_int64_t), intent(out) :: block
       integer(c_int32_t) :: hs_world_get_block_at
     end function hs_world_get_block_at
@@ -2160,8 +2160,11 @@ module halfspace_c
       type(c_ptr), value :: world  !< not NULL
       type(hs_water_def), intent(in) :: def  !< not NULL
       !> in 2D the corners of a polyline, in ascending order of x; it continues level beyond its ends, and two
-      !! corners at the same x are a step. In 3D one point of a level plane, or three points of a plane that
-      !! is not vertical. Without points there is no water
+      !! corners at the same x are a step. In 3D one point of a level plane, three points of a plane that is
+      !! not vertical, or a height map: rows of def->columns points above a rectangular grid, in ascending
+      !! order of y, in each row of x. A cell between four points is two triangles, divided from its smallest
+      !! to its largest coordinates; beyond the grid heights are those at its border. Without points there is
+      !! no water
       type(hs_view), value :: table
       integer(c_int32_t) :: hs_world_set_water
     end function hs_world_set_water

@@ -944,7 +944,7 @@ class hs_water_def(Structure):
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_water_def_init()
-        ("reserved", c_int32),  # 0
+        ("columns", c_int32),  # 3D: points in each row of a height map; default 0: the table is a plane
         ("density", c_double),  # kg/m3, >= 0; default 1000
         ("factor", c_double),  # >= 0: multiplies the pressure; default 1
     ]

@@ -24,7 +24,9 @@ class WetBlocks(BoltedBlocks):
         ----------
         table : array or float
             In 2D the corners of a polyline, shape (n, 2), in ascending order of x; it continues level beyond its ends.
-            In 3D three points of a plane, shape (3, 3). One number is a level. Without points there is no water.
+            In 3D three points of a plane, shape (3, 3), or a height map: points above a rectangular grid, shape
+            (rows, columns, 3), in ascending order of y, in each row of x, which goes on level beyond its border. One
+            number is a level. Without points there is no water.
         density : float
             kg/m3.
         factor : float
@@ -39,6 +41,9 @@ class WetBlocks(BoltedBlocks):
         if corners.size == 0:
             corners = np.empty((0, self.dimension))
         self._given.beyond_scenes.add("water")
+        if corners.ndim == 3:
+            struct.columns = corners.shape[1]
+            corners = corners.reshape(-1, corners.shape[2])
         self._call(library.hs_world_set_water, struct, view_of(corners, self.dimension, "table"))
 
     def water_loads(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -32,6 +32,19 @@ def test_a_sloping_table_pushes_along_its_slope():
     assert world.water_loads()[0][0] == pytest.approx([4 * 515 * 9.81 * 0.1, 4 * 515 * 9.81, 0])
 
 
+def test_a_height_map_that_is_plane_is_a_plane():
+    world, _ = raft(3)
+    world.set_water([[0, 0, 1], [1, 0, 1.2], [0, 1, 1]])
+    forces, torques = world.water_loads()
+    x, y = np.meshgrid([-1, 0.3, 1.7], [-2.5, 0.1, 1, 4])
+    # Beyond the border heights are those at the border, so the map covers the raft.
+    x[:, 0], x[:, -1], y[0], y[-1] = -9, 9, -9, 9
+    world.set_water(np.dstack([x, y, 1 + 0.2 * x]))
+    by_map = world.water_loads()
+    assert by_map[0] == pytest.approx(forces, rel=1e-12, abs=1e-9 * np.abs(forces).max())
+    assert by_map[1] == pytest.approx(torques, rel=1e-9, abs=1e-9 * np.abs(forces).max())
+
+
 def test_a_cable_carries_its_block():
     world, block = raft(2)
     weight = world.state(block).mass * 9.81

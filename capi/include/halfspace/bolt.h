@@ -75,7 +75,7 @@ HS_CHECKED hs_status hs_world_get_bolts(const hs_world *world, hs_bolt bolts[], 
 /** @brief Finds the block that contains a place, such as the end of a bolt.
  *  @param world not NULL @param place 3 values, m
  *  @param block receives the block in which the place is deepest, or 0 if it is outside of all blocks; of
- *         meshes, only cells at the surface are blocks
+ *         meshes, only cells at the surface are blocks, of a compound its parts
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_block_at(const hs_world *world, const double place[3], hs_block *block);
 

@@ -21,7 +21,7 @@ extern "C" {
 /** Properties of water. Fill it with hs_water_def_init(). */
 typedef struct hs_water_def {
   uint32_t struct_size; /**< set by hs_water_def_init() */
-  int32_t reserved;     /**< 0 */
+  int32_t columns;      /**< 3D: points in each row of a height map; default 0: the table is a plane */
   double density;       /**< kg/m3, >= 0; default 1000 */
   double factor;        /**< >= 0: multiplies the pressure; default 1 */
 } hs_water_def;
@@ -34,8 +34,11 @@ HS_API hs_status hs_water_def_init(hs_water_def *def, size_t size);
 /** @brief Sets the water of a world, in place of the water before. The change of energy is external work.
  *  @param world not NULL @param def not NULL
  *  @param table in 2D the corners of a polyline, in ascending order of x; it continues level beyond its ends,
- *         and two corners at the same x are a step. In 3D one point of a level plane, or three points of a plane
- *         that is not vertical. Without points there is no water
+ *         and two corners at the same x are a step. In 3D one point of a level plane, three points of a plane
+ *         that is not vertical, or a height map: rows of def->columns points above a rectangular grid, in
+ *         ascending order of y, in each row of x. A cell between four points is two triangles, divided from its
+ *         smallest to its largest coordinates; beyond the grid heights are those at its border. Without points
+ *         there is no water
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_set_water(hs_world *world, const hs_water_def *def, hs_view table);
 

@@ -75,7 +75,7 @@ class ForcePass {
   void fit_rooms();
 
   /// State that a step after an edit writes before it moves the blocks.
-  auto state() { return std::tie(forces_, known_, blocks_.force, blocks_.torque); }
+  auto state() { return std::tie(forces_, known_, is_loaded_, blocks_.force, blocks_.torque); }
 
   template <class Archive>
   void visit(Archive& archive) {

@@ -51,7 +51,7 @@ std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int
 
 template <int D>
 void World<D>::remove_block(std::int32_t slot) {
-  if (model_.actions.target_of(std::size_t(slot))) model_.actions.end_on_block(slot, model_.blocks);
+  model_.actions.end_on_block(slot, model_.blocks);
   model_.blocks.remove(slot);
   model_.bolts.forget(slot);
   // Another block may reuse the slot, so no pair may refer to it.

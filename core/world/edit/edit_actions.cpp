@@ -9,14 +9,14 @@ std::int32_t World<D>::add_table(std::span<const double> times, std::span<const 
 
 template <int D>
 void World<D>::add_action(const Action<D>& action) {
-  model_.actions.add(action, model_.blocks);
+  model_.actions.add(action);
   edit();
 }
 
 template <int D>
 void World<D>::add_node_action(const NodeAction& action, std::span<const std::int32_t> nodes,
                                std::span<const Vector<D>> scales) {
-  model_.actions.add(action, nodes, scales, model_.blocks);
+  model_.actions.add(action, nodes, scales);
   edit();
 }
 

@@ -17,9 +17,7 @@ template <int D>
 std::int64_t World<D>::add_bolt(Bolt<D> bolt, const Vector<D>& at_a, const Vector<D>& at_b,
                                 double pretension) {
   const auto in_frame = [&](std::int32_t slot, const Vector<D>& place) {
-    if (slot < 0) return place;
-    const std::size_t s = std::size_t(slot);
-    return Vector<D>(model_.blocks.gradient(s).inverse() * (place - model_.blocks.position[s]));
+    return slot < 0 ? place : model_.blocks.in_frame_of(std::size_t(slot), place);
   };
   bolt.on_a = in_frame(bolt.a, at_a);
   bolt.on_b = in_frame(bolt.b, at_b);

@@ -120,7 +120,7 @@ void World<D>::remove_mesh(std::int32_t body) {
   for (const SurfaceCell<D>& cell : meshes.surface_of(body)) remove_block(cell.block);
   meshes.remove(body);
   // Nodes are renumbered.
-  if (!model_.actions.empty()) model_.actions.end_on_nodes(body, model_.blocks);
+  model_.actions.end_on_nodes(body, model_.blocks);
   model_.viscous_nodes.remove_body(body);
   model_.viscous_nodes.renew(meshes);
   integrator_.forget_reaction();

@@ -20,7 +20,8 @@ Vector<D> in(const Vector<3>& components) {
 
 template <int D>
 Angular<D> angular_in(const Vector<3>& components) {
-  return components.template tail < D == 2 ? 1 : 3 > ();
+  constexpr int count = D == 2 ? 1 : 3;
+  return components.template tail<count>();
 }
 
 /// Gives the components whose scale is not 0.
@@ -54,38 +55,38 @@ bool is_same_motion(ActionKind a, ActionKind b) {
 }  // namespace
 
 template <int D>
-void Actions<D>::add(const Action<D>& action, const Blocks<D>& blocks) {
+void Actions<D>::add(const Action<D>& action) {
   make_room_for_one(actions_);
-  reserve(count() + 1, nodes_.size(), std::size_t(action.slot + 1), 0);
-  const auto replaced = std::find_if(actions_.begin(), actions_.end(), [&](const Action<D>& known) {
+  const auto is_replaced = [&](const Action<D>& known) {
     return known.slot == action.slot && is_same_motion(known.kind, action.kind);
-  });
+  };
+  const auto replaced =
+      is_load(action.kind) ? actions_.end() : std::find_if(actions_.begin(), actions_.end(), is_replaced);
   if (replaced != actions_.end()) {
     *replaced = action;
   } else {
     actions_.push_back(action);
   }
-  renew(blocks);
+  is_renewed_ = false;
 }
 
 template <int D>
 void Actions<D>::add(NodeAction action, std::span<const std::int32_t> nodes,
-                     std::span<const Vector<D>> scales, const Blocks<D>& blocks) {
+                     std::span<const Vector<D>> scales) {
   make_room_for_one(node_actions_);
   nodes_.reserve(nodes_.size() + nodes.size());
   scales_.reserve(nodes_.size() + nodes.size());
-  reserve(count() + 1, nodes_.size() + nodes.size(), 0, nodes_up_to(action.body, blocks.meshes()));
   nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   scales_.insert(scales_.end(), scales.begin(), scales.end());
   action.end = std::int64_t(nodes_.size());
   node_actions_.push_back(action);
-  renew(blocks);
+  is_renewed_ = false;
 }
 
 template <int D>
 void Actions<D>::end_on_block(std::int32_t slot, const Blocks<D>& blocks) {
-  std::erase_if(actions_, [&](const Action<D>& action) { return action.slot == slot; });
-  renew(blocks);
+  const auto ends = [&](const Action<D>& action) { return action.slot == slot; };
+  if (std::erase_if(actions_, ends) > 0 && is_renewed_) renew(blocks);
 }
 
 template <int D>
@@ -102,18 +103,7 @@ void Actions<D>::end_on_nodes(std::int32_t body, const Blocks<D>& blocks) {
   std::erase_if(node_actions_, [&](const NodeAction& action) { return action.body == body; });
   nodes_.resize(std::size_t(kept));
   scales_.resize(std::size_t(kept));
-  renew(blocks);
-}
-
-/// Room for all that renew() derives.
-template <int D>
-void Actions<D>::reserve(std::size_t actions, std::size_t nodes, std::size_t slots,
-                         std::size_t loaded_nodes) {
-  means_.reserve(actions);
-  targets_.reserve(actions);
-  target_of_.reserve(slots);
-  node_velocities_.reserve(nodes);
-  node_loads_.reserve(loaded_nodes);
+  if (is_renewed_) renew(blocks);
 }
 
 template <int D>
@@ -121,8 +111,6 @@ std::size_t Actions<D>::nodes_up_to(std::int32_t body, const Meshes<D>& meshes) 
   return std::size_t(meshes.body(body).first_node + meshes.body(body).node_count);
 }
 
-/// Finds the loads of the last motion again. Its arrays end with the last block or body that is acted on, so
-/// the end of an action takes no memory.
 template <int D>
 void Actions<D>::renew(const Blocks<D>& blocks) {
   std::size_t slots = 0, loaded_nodes = 0;
@@ -131,43 +119,43 @@ void Actions<D>::renew(const Blocks<D>& blocks) {
     if (is_load(action.kind))
       loaded_nodes = std::max(loaded_nodes, nodes_up_to(action.body, blocks.meshes()));
   }
-  reserve(count(), nodes_.size(), slots, loaded_nodes);
+  means_.reserve(actions_.size());
+  targets_.reserve(actions_.size());
+  target_of_.reserve(slots);
+  node_velocities_.reserve(nodes_.size());
+  node_loads_.reserve(loaded_nodes);
   accelerates_all_ = false;
   targets_.clear();
+  target_of_.assign(slots, -1);
   for (const Action<D>& action : actions_) {
     accelerates_all_ |= action.slot < 0;
-    if (action.slot >= 0) targets_.push_back({.slot = action.slot});
-  }
-  const auto is_before = [](const Target& a, const Target& b) { return a.slot < b.slot; };
-  const auto is_same = [](const Target& a, const Target& b) { return a.slot == b.slot; };
-  std::sort(targets_.begin(), targets_.end(), is_before);
-  targets_.erase(std::unique(targets_.begin(), targets_.end(), is_same), targets_.end());
-  target_of_.assign(slots, -1);
-  for (std::size_t t = 0; t < targets_.size(); ++t)
-    target_of_[std::size_t(targets_[t].slot)] = std::int32_t(t);
-  for (const Action<D>& action : actions_) {
-    if (action.slot >= 0 && action.kind == ActionKind::servo)
-      targets_[std::size_t(target_of_[std::size_t(action.slot)])].is_servo = true;
+    if (action.slot < 0) continue;
+    std::int32_t& target = target_of_[std::size_t(action.slot)];
+    if (target < 0) {
+      target = std::int32_t(targets_.size());
+      targets_.push_back({.slot = action.slot});
+    }
+    if (action.kind == ActionKind::servo) target_at(action.slot).is_servo = true;
   }
   node_velocities_.assign(nodes_.size(), {});
   node_loads_.assign(loaded_nodes, Vector<D>::Zero());
-  if (duration_ > 0) predict(time_, duration_, blocks);
+  acceleration_.setZero();
+  if (motion_.duration > 0) predict(motion_, blocks);
+  is_renewed_ = true;
 }
 
 template <int D>
-void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) {
-  time_ = time;
-  duration_ = duration;
+void Actions<D>::predict(const Motion& motion, const Blocks<D>& blocks) {
+  motion_ = motion;
   means_.clear();
   acceleration_.setZero();
   for (const Action<D>& action : actions_) {
-    const double begin = time - action.start;
-    const TableIntegrals integrals = tables_[action.table].integrals(begin, duration);
-    means_.push_back(action.scale.cwiseProduct(integrals.once) / duration);
+    const TableIntegrals integrals = integrals_of(action);
+    means_.push_back(action.scale.cwiseProduct(integrals.once) / motion_.duration);
     if (action.slot < 0) {
       acceleration_ += in<D>(means_.back());
     } else if (!is_load(action.kind)) {
-      Target& target = targets_[std::size_t(target_of_[std::size_t(action.slot)])];
+      Target& target = target_at(action.slot);
       action.kind == ActionKind::servo ? control_force(action, means_.back(), blocks, target)
                                        : give_velocity(action, integrals, blocks, target);
       const std::size_t slot = std::size_t(action.slot);
@@ -177,9 +165,7 @@ void Actions<D>::predict(double time, double duration, const Blocks<D>& blocks) 
   std::fill(node_loads_.begin(), node_loads_.end(), Vector<D>::Zero());
   std::size_t first = 0;
   for (const NodeAction& action : node_actions_) {
-    const double begin = time - action.start;
-    const TableIntegrals integrals = tables_[action.table].integrals(begin, duration);
-    act_on_nodes(action, first, integrals, blocks.meshes());
+    act_on_nodes(action, first, integrals_of(action), blocks.meshes());
     first = std::size_t(action.end);
   }
   place_loads(blocks);
@@ -193,15 +179,15 @@ template <int D>
 void Actions<D>::give_velocity(const Action<D>& action, const TableIntegrals& integrals,
                                const Blocks<D>& blocks, Target& target) const {
   const std::size_t slot = std::size_t(action.slot);
-  const Vector<3> last = tables_[action.table].at(time_ + duration_ - action.start);
+  const Vector<3> last = last_value_of(action);
   if (is_angular(action.kind)) {
     give_by_table(target.spin, action.kind == ActionKind::angular_acceleration, angular_in<D>(action.scale),
                   blocks.spin[slot], angular_in<D>(integrals.once), angular_in<D>(integrals.twice),
-                  angular_in<D>(last), duration_);
+                  angular_in<D>(last), motion_.duration);
   } else {
     give_by_table(target.velocity, action.kind == ActionKind::acceleration, in<D>(action.scale),
                   blocks.velocity[slot], in<D>(integrals.once), in<D>(integrals.twice), in<D>(last),
-                  duration_);
+                  motion_.duration);
   }
 }
 
@@ -224,16 +210,16 @@ template <int D>
 void Actions<D>::act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
                               const Meshes<D>& meshes) {
   const Vector<D> once = in<D>(integrals.once), twice = in<D>(integrals.twice);
-  const Vector<D> last = in<D>(tables_[action.table].at(time_ + duration_ - action.start));
+  const Vector<D> last = in<D>(last_value_of(action));
   for (std::size_t entry = first; entry < std::size_t(action.end); ++entry) {
     const std::size_t node = node_of(action, entry, meshes);
     if (is_load(action.kind)) {
-      if (meshes.mass[node] > 0) node_loads_[node] += scales_[entry].cwiseProduct(once) / duration_;
+      if (meshes.mass[node] > 0) node_loads_[node] += scales_[entry].cwiseProduct(once) / motion_.duration;
       continue;
     }
     GivenVelocity<Vector<D>>& given = node_velocities_[entry];
     give_by_table(given, action.kind == ActionKind::acceleration, scales_[entry], meshes.velocity[node], once,
-                  twice, last, duration_);
+                  twice, last, motion_.duration);
     given.components &= meshes.held[node];
   }
 }
@@ -249,7 +235,7 @@ void Actions<D>::place_loads(const Blocks<D>& blocks) {
     const Action<D>& action = actions_[i];
     if (action.slot < 0 || !is_load(action.kind)) continue;
     const std::size_t slot = std::size_t(action.slot);
-    Target& target = targets_[std::size_t(target_of_[slot])];
+    Target& target = target_at(action.slot);
     if (action.kind == ActionKind::torque) {
       target.torque += angular_in<D>(means_[i]);
       continue;
@@ -258,14 +244,12 @@ void Actions<D>::place_loads(const Blocks<D>& blocks) {
     target.force += force;
     if (action.place == ForcePlace::centroid) continue;
     const bool is_carried = action.place == ForcePlace::carried;
-    const Tensor<D> gradient = blocks.gradient(slot);
     if (blocks.is_affine(slot)) {
-      const Vector<D> own =
-          is_carried ? point : Vector<D>(gradient.inverse() * (point - blocks.position[slot]));
-      target.virial += force * own.transpose();
+      target.virial += force * (is_carried ? point : blocks.in_frame_of(slot, point)).transpose();
     } else {
-      target.torque +=
-          moment(is_carried ? Vector<D>(gradient * point) : Vector<D>(point - blocks.position[slot]), force);
+      const Vector<D> arm =
+          is_carried ? blocks.arm_to(slot, point) : Vector<D>(point - blocks.position[slot]);
+      target.torque += moment(arm, force);
     }
   }
 }
@@ -299,8 +283,8 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
   };
   return tables_.is_consistent() && all(actions_, is_valid) && all(node_actions_, is_valid_on_nodes) &&
          std::size_t(first) == nodes_.size() && scales_.size() == nodes_.size() &&
-         all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(time_) &&
-         is_nonnegative(duration_);
+         all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(motion_.time) &&
+         is_nonnegative(motion_.duration);
 }
 
 template class Actions<2>;

@@ -92,10 +92,10 @@ class Actions {
     return tables_.add(times, values);
   }
 
-  /// Adds a load, or replaces the given motion of a block. If memory runs out, nothing has changed.
-  void add(const Action<D>& action, const Blocks<D>& blocks);
-  void add(NodeAction action, std::span<const std::int32_t> nodes, std::span<const Vector<D>> scales,
-           const Blocks<D>& blocks);
+  /// Adds a load, or replaces the given motion of a block, from the next renew() on. If memory runs out,
+  /// nothing has changed.
+  void add(const Action<D>& action);
+  void add(NodeAction action, std::span<const std::int32_t> nodes, std::span<const Vector<D>> scales);
   /// Ends the actions on a block, or the acceleration of all blocks if the slot is -1.
   void end_on_block(std::int32_t slot, const Blocks<D>& blocks);
   void end_on_nodes(std::int32_t body, const Blocks<D>& blocks);
@@ -113,7 +113,6 @@ class Actions {
     Angular<D> torque_at_start = Angular<D>::Zero();  // of the motion
     Tensor<D> virial_at_start = Tensor<D>::Zero();
   };
-  /// Sorted by slot.
   Array<Target>& targets() { return targets_; }
   const Array<Target>& targets() const { return targets_; }
   /// The target of a block, if it is one.
@@ -140,19 +139,31 @@ class Actions {
     }
   }
 
+  struct Motion {
+    double time = 0;  // of the world at its begin, s
+    double duration = 0;
+  };
   /// Sets loads and given velocities for the coming motion.
-  void predict(double time, double duration, const Blocks<D>& blocks);
+  void predict(const Motion& motion, const Blocks<D>& blocks);
   /// Sets the loads for the poses that blocks have now.
   void place_loads(const Blocks<D>& blocks);
-  /// Call when slots or nodes are added, and after reading: takes memory.
+  /// Sets targets and loads of the last predicted motion again. Call when actions, slots or nodes come or go,
+  /// and after reading. If memory runs out, nothing has changed; without such changes it takes none.
   void renew(const Blocks<D>& blocks);
+  /// The motion that was predicted last.
+  const Motion& motion() const { return motion_; }
+  /// Sets the loads of an earlier motion again. Takes no memory.
+  void return_to(const Motion& motion, const Blocks<D>& blocks) {
+    motion_ = motion;
+    if (is_renewed_) renew(blocks);  // else loads have not changed since
+  }
 
   /// Validates the state read from a snapshot.
   bool is_consistent(const Blocks<D>& blocks) const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(tables_, actions_, node_actions_, nodes_, scales_, time_, duration_);
+    archive(tables_, actions_, node_actions_, nodes_, scales_, motion_.time, motion_.duration);
   }
 
  private:
@@ -160,14 +171,22 @@ class Actions {
   std::size_t node_of(const NodeAction& action, std::size_t entry, const Meshes<D>& meshes) const {
     return std::size_t(meshes.body(action.body).first_node + nodes_[entry]);
   }
+  /// The integrals of an action's table over the motion.
+  template <class AnyAction>
+  TableIntegrals integrals_of(const AnyAction& action) const {
+    return tables_[action.table].integrals(motion_.time - action.start, motion_.duration);
+  }
+  template <class AnyAction>
+  Vector<3> last_value_of(const AnyAction& action) const {
+    return tables_[action.table].at(motion_.time + motion_.duration - action.start);
+  }
   void give_velocity(const Action<D>& action, const TableIntegrals& integrals, const Blocks<D>& blocks,
                      Target& target) const;
   void control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
                      Target& target) const;
   void act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
                     const Meshes<D>& meshes);
-  std::size_t count() const { return actions_.size() + node_actions_.size(); }
-  void reserve(std::size_t actions, std::size_t nodes, std::size_t slots, std::size_t loaded_nodes);
+  Target& target_at(std::int32_t slot) { return targets_[std::size_t(target_of_[std::size_t(slot)])]; }
   /// The number of nodes of the meshes up to the last one of a body.
   std::size_t nodes_up_to(std::int32_t body, const Meshes<D>& meshes) const;
 
@@ -176,16 +195,16 @@ class Actions {
   Array<NodeAction> node_actions_;
   Array<std::int32_t> nodes_;  // of node actions, by their number in the body
   Array<Vector<D>> scales_;    // likewise
-  double time_ = 0;            // of the last predicted motion: its begin
-  double duration_ = 0;
+  Motion motion_;
   // Derived from the above and from the last predicted motion.
-  Array<Vector<3>> means_;  // of each action on blocks, then of each action on nodes
+  Array<Vector<3>> means_;  // of each action on blocks
   Array<Target> targets_;
   Array<std::int32_t> target_of_;  // per slot up to the last target's, or -1
   Array<GivenVelocity<Vector<D>>> node_velocities_;
   Array<Vector<D>> node_loads_;  // per node up to the last body's with loads
   Vector<D> acceleration_ = Vector<D>::Zero();
   bool accelerates_all_ = false;
+  bool is_renewed_ = false;  // since actions were added
 };
 
 extern template class Actions<2>;

@@ -88,7 +88,7 @@ struct BoltEnds {
     return slot < 0 ? Vector<D>(Vector<D>::Zero()) : blocks.position[std::size_t(slot)];
   }
   static Vector<D> arm_of(const Blocks<D>& blocks, std::int32_t slot, const Vector<D>& place) {
-    return slot < 0 ? place : Vector<D>(blocks.gradient(std::size_t(slot)) * place);
+    return slot < 0 ? place : blocks.arm_to(std::size_t(slot), place);
   }
 };
 

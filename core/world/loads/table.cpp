@@ -64,18 +64,18 @@ bool Tables::is_consistent() const {
   std::int64_t first = 0;
   for (const std::int64_t end : ends_) {
     if (end <= first || std::size_t(end) > times_.size()) return false;
-    if (!are_times(std::span(times_).subspan(std::size_t(first), std::size_t(end - first)))) return false;
+    const auto times = std::span(times_).subspan(std::size_t(first), std::size_t(end - first));
+    if (!all(times, is_finite) || first_out_of_order(times) < times.size()) return false;
     first = end;
   }
   return all(values_, [](const Vector<3>& value) { return value.allFinite(); });
 }
 
-bool are_times(std::span<const double> times) {
-  if (!all(times, is_finite)) return false;
+std::size_t first_out_of_order(std::span<const double> times) {
   for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] < times[i - 1] || (i > 1 && times[i] == times[i - 2])) return false;
+    if (times[i] < times[i - 1] || (i > 1 && times[i] == times[i - 2])) return i;
   }
-  return !times.empty();
+  return times.size();
 }
 
 }  // namespace halfspace

@@ -58,7 +58,7 @@ class Tables {
   Array<std::int64_t> ends_;  // of each table
 };
 
-/// True if times never decrease, and no more than two are equal.
-bool are_times(std::span<const double> times);
+/// The first time that is less than the one before, or the third of its value; the count if there is none.
+std::size_t first_out_of_order(std::span<const double> times);
 
 }  // namespace halfspace

@@ -13,8 +13,9 @@ namespace {
 /// from the centroid of the block.
 template <int D>
 struct Patch {
-  // A triangle gains at most one corner at each of three planes.
-  static constexpr int max_corners = D == 2 ? 2 : 6;
+  // A triangle gains at most one corner at each of six planes: four sides and the diagonal of a cell of a
+  // height map, and the table.
+  static constexpr int max_corners = D == 2 ? 2 : 9;
 
   /// Keeps the part on which a linear function is at least 0; values[i] is its value at corner i.
   void clip(const std::array<double, max_corners>& values);
@@ -36,7 +37,7 @@ void Patch<2>::clip(const std::array<double, 2>& values) {
 }
 
 template <>
-void Patch<3>::clip(const std::array<double, 6>& values) {
+void Patch<3>::clip(const std::array<double, max_corners>& values) {
   Patch<3> kept;
   for (int i = 0; i < count; ++i) {
     const std::size_t here = std::size_t(i), next = std::size_t(i + 1 < count ? i + 1 : 0);
@@ -91,19 +92,27 @@ class Faces {
   Faces(const WaterTable<D>& table, const Vector<D>& centroid) : table_(table), centroid_(centroid) {}
 
   void add(const std::array<Vector<D>, D>& corner) {
-    double from = HUGE_VAL, to = -HUGE_VAL;
+    Vector<D> from = centroid_ + corner[0], to = from;
     for (const Vector<D>& arm : corner) {
-      from = std::min(from, centroid_[0] + arm[0]);
-      to = std::max(to, centroid_[0] + arm[0]);
+      from = from.cwiseMin(centroid_ + arm);
+      to = to.cwiseMax(centroid_ + arm);
     }
-    table_.for_each_part(from, to, [&](const WaterDepth<D>& depth, double first, double last) {
+    table_.for_each_part(from, to, [&](const WaterPart<D>& part) {
       Patch<D> patch;
       patch.count = D;
       std::copy(corner.begin(), corner.end(), patch.corner.begin());
-      if (from < first)
-        clip_where(patch, [&](const Vector<D>& arm) { return centroid_[0] + arm[0] - first; });
-      if (to > last) clip_where(patch, [&](const Vector<D>& arm) { return last - centroid_[0] - arm[0]; });
-      add_wet(patch, depth);
+      for (int k = 0; k < D - 1; ++k) {
+        if (from[k] < part.low[k])
+          clip_where(patch, [&](const Vector<D>& arm) { return centroid_[k] + arm[k] - part.low[k]; });
+        if (to[k] > part.high[k])
+          clip_where(patch, [&](const Vector<D>& arm) { return part.high[k] - centroid_[k] - arm[k]; });
+      }
+      if (part.is_half) {
+        clip_where(patch, [&](const Vector<D>& arm) {
+          return part.side.dot(centroid_ + arm - part.depth.on_table);
+        });
+      }
+      add_wet(patch, part.depth);
     });
   }
   const WaterLoad<D>& load() const { return load_; }

@@ -170,7 +170,13 @@ class Integrator {
   /// Marks the chunks in which any block moves; the others cost nothing.
   void look_what_moves();
   template <class Sums, class Visit>
-  void sum_each_block(Sums& sums, Visit visit);
+  void sum_each_block(Sums& sums, Visit visit) {
+    sum_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, sums,
+                   [&](const Chunk& chunk, auto& sum) {
+                     if (!any_moves_[chunk.index]) return;
+                     for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i, sum);
+                   });
+  }
   /// The load on a block, before damping.
   BlockLoad load_on(std::size_t block) const;
   void take_kick(std::size_t block, EnergySample& sample);

@@ -53,19 +53,23 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
   }
   svg.rectangle({x, top_margin}, 14, height, "fill=\"none\" stroke=\"#222\" stroke-width=\"0.8\"");
   const double range = stage.highest - stage.lowest;
+  constexpr double digit_width = 6.7;
+  double widest = 0;  // of the numbers
   if (range > 0) {
     const double step = even_step(range, 5);
     for (const double value : multiples_of(step, stage.lowest, stage.highest)) {
       const double y = top_margin + height * (stage.highest - value) / range;
       svg.line({x + 14, y}, {x + 18, y}, "stroke=\"#222\"");
-      svg.label({x + 22, y + 4}, decimals(value + 0.0, decimals_for(step)), 12, "start");
+      const std::string number = decimals(value + 0.0, decimals_for(step));
+      widest = std::max(widest, digit_width * static_cast<double>(number.size()));
+      svg.label({x + 22, y + 4}, number, 12, "start");
     }
   }
   const char* meaning = "displacement (m)";
   if (stage.colour == Colour::speed) meaning = "speed (m/s)";
   if (stage.colour == Colour::mean_stress) meaning = "mean stress (MPa)";
   if (stage.colour == Colour::layer) meaning = "height at start (m)";
-  svg.label({x + 74, top_margin + height / 2}, meaning, 13, "middle", -90);
+  svg.label({x + std::max(74.0, 38 + widest), top_margin + height / 2}, meaning, 13, "middle", -90);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ struct End {
   Frame frame;
   std::vector<Piece> pieces;
   hs_world_plan world{};
-  std::string limit;  ///< the block that limits the step, and its neighbour
+  std::string limit;         ///< the block that limits the step, and its neighbour
+  std::string made_of_many;  ///< concave blocks and terrains, as lines of the report
 };
 
 std::string name_of(const Model& model, hs_block block) {
@@ -52,6 +53,20 @@ std::string limit_of(const Model& model, const hs_world_plan& world) {
          name_of(model, world.limiting_neighbor);
 }
 
+/// Concave blocks with their parts, and terrains with the blocks behind them.
+std::string lines_of_many(const Layout& layout) {
+  std::string text;
+  std::size_t parts = 0, of_terrain = 0;
+  for (const LayoutCompound& compound : layout.compounds) parts += compound.part_count;
+  for (const LayoutBlock& block : layout.blocks) of_terrain += block.key.starts_with("terrain");
+  if (parts > 0) {
+    text += plan_line("concave blocks", std::to_string(layout.compounds.size()) + " of " +
+                                            std::to_string(parts) + " convex parts");
+  }
+  if (of_terrain > 0) text += plan_line("terrain", std::to_string(of_terrain) + " of the blocks");
+  return text;
+}
+
 /// A disturbance of 0 is none.
 End run(const Scene& scene, int disturbance = 0) {
   const Context context = make_context(scene.threads);
@@ -64,7 +79,8 @@ End run(const Scene& scene, int disturbance = 0) {
           frame_at(model, outcomes.time),
           pieces_of(model.layout()),
           model.account(measured_steps),
-          {}};
+          {},
+          lines_of_many(model.layout())};
   if (end.world.limiting_block != 0) end.limit = limit_of(model, end.world);
   return end;
 }
@@ -140,11 +156,12 @@ std::string pass_times(const hs_world_plan& world) {
   return text;
 }
 
-std::string parts(int active, bool are_active) {
+std::string parts(const Scene& scene, int active, bool are_active) {
   std::string text;
   for (const PartName& named : part_names())
     if (((active & named.part) != 0) == are_active)
       text += (text.empty() ? "" : ", ") + std::string(named.name);
+  if (are_active && !scene.actions.empty()) text += text.empty() ? "actions" : ", actions";
   return text.empty() ? "nothing" : text;
 }
 
@@ -154,16 +171,18 @@ std::string account(const Scene& scene, const End& whole) {
                      (scene.settings.empty() ? std::string() : plan_line("set", scene.settings)) +
                      plan_line("blocks", kinds(world));
   if (world.body_count > 0) text += plan_line("meshes", meshes(world));
+  text += whole.made_of_many;
   text += plan_line("pairs", std::to_string(world.candidate_count) + " near each other, " +
                                  std::to_string(world.contact_count) + " in contact");
   if (world.bond_count > 0) text += plan_line("bonds", std::to_string(world.bond_count));
   if (world.bolt_count > 0) text += plan_line("bolts", std::to_string(world.bolt_count));
+  if (!scene.actions.empty()) text += plan_line("actions", std::to_string(scene.actions.size()));
   text += plan_line("memory", memory(world));
   text += plan_line("per step", pass_times(world));
   if (world.stable_time_step > 0)
     text += plan_line("stable step", rounded(world.stable_time_step, 3) + " s, limited by " + whole.limit);
-  text += plan_line("active", parts(world.parts, true));
-  return text + plan_line("inactive", parts(world.parts, false));
+  text += plan_line("active", parts(scene, world.parts, true));
+  return text + plan_line("inactive", parts(scene, world.parts, false));
 }
 
 std::string judged(const End& whole, const End& other, double tolerance) {

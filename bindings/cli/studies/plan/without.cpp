@@ -28,6 +28,11 @@ Scene without_cells(Scene scene) {
   return scene;
 }
 
+Scene without_actions(Scene scene) {
+  scene.actions.clear();
+  return scene;
+}
+
 Scene without(Scene scene, int part, const FaceSize& face) {
   switch (part) {
     case HS_PART_FRICTION:
@@ -96,6 +101,7 @@ std::vector<Without> without_each(const Scene& scene, int active_parts, const Fa
     if (active_parts & named.part && can_go(named.part))
       all.push_back({named.name, without(scene, named.part, face)});
   }
+  if (!scene.actions.empty()) all.push_back({"actions", without_actions(scene)});
   if (has_cells && !names_cells) all.push_back({"cells", without_cells(scene)});
   std::erase_if(
       all, [&](const Without& one) { return scene.world.time_step == 0 && !has_stable_step(one.scene); });

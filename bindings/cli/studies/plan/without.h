@@ -21,9 +21,9 @@ struct PartName {
 };
 const std::vector<PartName>& part_names();
 
-/// The scene without each of its active parts in turn. Areas and potentials are replaced by springs per
-/// contact, with the same stiffness of the typical face. Blocks without cells are affine; if the scene names
-/// cells, they stay.
+/// The scene without each of its active parts in turn, and without its actions. Areas and potentials are
+/// replaced by springs per contact, with the same stiffness of the typical face. Blocks without cells are
+/// affine; if the scene names cells, they stay.
 std::vector<Without> without_each(const Scene& scene, int active_parts, const FaceSize& face,
                                   bool names_cells);
 

@@ -6,9 +6,11 @@
 namespace halfspace::cli {
 namespace {
 
-/// The kinds of the free blocks.
+/// The kinds of the free blocks, except those that stay rigid.
 struct Kinds {
-  explicit Kinds(const Scene& scene) {
+  explicit Kinds(Scene scene) {
+    std::erase_if(scene.blocks,
+                  [&](const Block& block) { return stays_rigid(block, scene.world.dimension); });
     for_each_block_making(scene, [&](const Making& making) {
       if (!moves_freely(making.kind)) return;
       (making.kind == HS_BLOCK_RIGID    ? has_rigid
@@ -33,14 +35,16 @@ struct Kinds {
 
 /// The laws of the runs; empty: the scene's own. Potentials have no cohesion, and rigid blocks without
 /// springs none that holds them together. Springs in place of a law without require elements that determine
-/// their stiffness.
+/// their stiffness. Servos require springs.
 std::vector<std::optional<int>> laws_of(const Scene& scene, bool deforms) {
   const bool is_bonded = any_law(scene, holds_together);
   const bool is_given = !any_law(scene, has_no_spring) || deforms;
+  const bool has_servo = std::any_of(scene.actions.begin(), scene.actions.end(),
+                                     [](const Action& action) { return action.kind == HS_ACTION_SERVO; });
   std::vector<std::optional<int>> laws = {std::nullopt};
   for (const int kind : law_kinds) {
     const bool is_another = any_law(scene, [&](const hs_law_def& law) { return law.stiffness_kind != kind; });
-    const bool fits = kind == HS_STIFFNESS_NONE        ? deforms || !is_bonded
+    const bool fits = kind == HS_STIFFNESS_NONE        ? !has_servo && (deforms || !is_bonded)
                       : kind == HS_STIFFNESS_POTENTIAL ? is_given && !is_bonded
                                                        : is_given;
     if (is_another && fits) laws.push_back(kind);

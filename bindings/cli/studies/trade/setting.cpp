@@ -67,10 +67,14 @@ void apply(hs_law_def& law, const Setting& setting, const FaceSize& face) {
 
 /// The bodies of [[mesh]] stay meshes.
 void set_kind(Scene& scene, int kind) {
+  const Scene given = scene;
   for_each_block_making(scene, [&](Making& making) {
     if (moves_freely(making.kind)) making.kind = kind;
     if (kind != HS_BLOCK_AFFINE) making.stress.reset();
   });
+  for (std::size_t i = 0; i < scene.blocks.size(); ++i)
+    if (stays_rigid(given.blocks[i], scene.world.dimension))
+      scene.blocks[i].making.kind = given.blocks[i].making.kind;
 }
 
 int times_as_many(double factor, int count) {
@@ -152,6 +156,19 @@ FaceSize typical_face(const Context& context, const Scene& scene, const Model& m
   return face;
 }
 
+bool stays_rigid(const Block& block, int dimension) {
+  if (block.motion.held_axes != 0 || block.is_joined) return true;
+  if (dimension == 3 || !moves_freely(block.making.kind) || block.vertices.empty()) return false;
+  const std::vector<Point>& corners = block.vertices;
+  bool turns_left = false, turns_right = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point &here = corners[(i + 1) % corners.size()], &next = corners[(i + 2) % corners.size()];
+    const double turn = cross(minus(here, corners[i]), minus(next, here))[2];
+    (turn > 0 ? turns_left : turns_right) |= turn != 0;
+  }
+  return turns_left && turns_right;
+}
+
 bool has_cut_meshes(const Scene& scene) {
   return any_block_making(scene, [](const Making& making) { return making.kind == HS_BLOCK_MESH; }) ||
          std::any_of(scene.meshes.begin(), scene.meshes.end(),
@@ -185,17 +202,30 @@ Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face) {
 void disturb(const Context& context, int number, Layout& layout) {
   if (number == 0) return;
   Random random(static_cast<std::uint64_t>(number));
-  const auto shift = [&](Placing& placing, double size) {
+  const auto shift_of = [&](double size) {
+    Point shift{};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout.dimension); ++axis)
-      placing.shift[axis] += 1e-9 * size * (2 * random.uniform() - 1);
+      shift[axis] = 1e-9 * size * (2 * random.uniform() - 1);
+    return shift;
   };
-  for (LayoutBlock& block : layout.blocks) {
-    if (moves_freely(block.kind) && !block.body)
-      shift(block.placing, properties_of(context, block.shape).bounding_radius);
+  const auto size_of_block = [&](std::size_t i) {
+    return properties_of(context, layout.blocks[i].shape).bounding_radius;
+  };
+  const auto move = [](Placing& placing, const Point& shift) { placing.shift = plus(placing.shift, shift); };
+  for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
+    LayoutBlock& block = layout.blocks[i];
+    if (moves_freely(block.kind) && !block.body && !block.compound)
+      move(block.placing, shift_of(size_of_block(i)));
+  }
+  for (const LayoutCompound& compound : layout.compounds) {
+    if (!moves_freely(layout.blocks[compound.first_block].kind)) continue;
+    const Point shift = shift_of(size_of_block(compound.first_block));
+    for (std::size_t part = 0; part < compound.part_count; ++part)
+      move(layout.blocks[compound.first_block + part].placing, shift);
   }
   for (LayoutBody& body : layout.bodies) {
     const double volume = std::accumulate(body.cell_sizes.begin(), body.cell_sizes.end(), 0.0);
-    shift(body.placing, std::pow(volume, 1.0 / layout.dimension) / 2);
+    move(body.placing, shift_of(std::pow(volume, 1.0 / layout.dimension) / 2));
   }
 }
 

@@ -41,6 +41,9 @@ bool has_stable_step(const Scene& scene);
 /// scene's law has springs and the setting's has none.
 double largest_step(const Scene& scene);
 
+/// True for a block that no setting deforms: one that is held along axes, or concave.
+bool stays_rigid(const Block& block, int dimension);
+
 /// The scene with a setting.
 Scene with_setting(Scene scene, const Setting& setting, const FaceSize& face);
 

@@ -1315,8 +1315,8 @@ const _: () = assert!(std::mem::size_of::<hs_strength_report>() == 40);
 pub struct hs_water_def {
     /// set by hs_water_def_init()
     pub struct_size: u32,
-    /// 0
-    pub reserved: i32,
+    /// 3D: points in each row of a height map; default 0: the table is a plane
+    pub columns: i32,
     /// kg/m3, >= 0; default 1000
     pub density: f64,
     /// \>= 0: multiplies the pressure; default 1
@@ -2559,7 +2559,7 @@ extern "C" {
     /// - `world`: not NULL
     /// - `place`: 3 values, m
     /// - `block`: receives the block in which the place is deepest, or 0 if it is outside of all blocks; of
-    ///   meshes, only cells at the surface are blocks
+    ///   meshes, only cells at the surface are blocks, of a compound its parts
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_get_block_at(
@@ -2951,8 +2951,11 @@ extern "C" {
     ///
     /// - `world`, `def`: not NULL
     /// - `table`: in 2D the corners of a polyline, in ascending order of x; it continues level beyond its
-    ///   ends, and two corners at the same x are a step. In 3D one point of a level plane, or three points of
-    ///   a plane that is not vertical. Without points there is no water
+    ///   ends, and two corners at the same x are a step. In 3D one point of a level plane, three points of a
+    ///   plane that is not vertical, or a height map: rows of def->columns points above a rectangular grid,
+    ///   in ascending order of y, in each row of x. A cell between four points is two triangles, divided from
+    ///   its smallest to its largest coordinates; beyond the grid heights are those at its border. Without
+    ///   points there is no water
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_set_water(

@@ -14,11 +14,20 @@ pub struct Water {
     pub(crate) raw: sys::hs_water_def,
 }
 
+impl Water {
+    /// In space: points in each row of a height map; default 0: the table is a plane.
+    pub fn columns(mut self, columns: i32) -> Self {
+        self.raw.columns = columns;
+        self
+    }
+}
+
 /// Water.
 impl World {
     /// Sets the water of a world, in place of the water before. The table has in 2D the corners of
     /// a polyline, in ascending order of x, level beyond its ends; in 3D one point of a level plane,
-    /// or three points of a plane. Without points there is no water.
+    /// three points of a plane, or a height map with [`Water::columns`] points in each row. Without
+    /// points there is no water.
     ///
     /// ```
     /// # use halfspace::{BlockDef, Context, Pose, Relaxation, Shape, World, WorldDef};
