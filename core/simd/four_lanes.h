@@ -90,16 +90,27 @@ template <class Four>
 }
 inline TwiceTwoLanes abs(const TwiceTwoLanes& a) { return {abs(a.low), abs(a.high)}; }
 
+/// The lanes with these indices, of both one after the other.
+template <int... lanes>
+[[gnu::always_inline]] inline FourLanes picked(const FourLanes& a, const FourLanes& b) {
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(a, b, lanes...);
+#else
+  using Indices = long long __attribute__((vector_size(32)));
+  return __builtin_shuffle(a, b, Indices{lanes...});
+#endif
+}
+
 /// Lane k of row i becomes lane i of row k.
 [[gnu::always_inline]] inline void transpose(FourLanes (&rows)[4]) {
-  const FourLanes even_low = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
-                  odd_low = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7),
-                  even_high = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6),
-                  odd_high = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
-  rows[0] = __builtin_shufflevector(even_low, even_high, 0, 1, 4, 5);
-  rows[1] = __builtin_shufflevector(odd_low, odd_high, 0, 1, 4, 5);
-  rows[2] = __builtin_shufflevector(even_low, even_high, 2, 3, 6, 7);
-  rows[3] = __builtin_shufflevector(odd_low, odd_high, 2, 3, 6, 7);
+  const FourLanes even_low = picked<0, 4, 2, 6>(rows[0], rows[1]),
+                  odd_low = picked<1, 5, 3, 7>(rows[0], rows[1]),
+                  even_high = picked<0, 4, 2, 6>(rows[2], rows[3]),
+                  odd_high = picked<1, 5, 3, 7>(rows[2], rows[3]);
+  rows[0] = picked<0, 1, 4, 5>(even_low, even_high);
+  rows[1] = picked<0, 1, 4, 5>(odd_low, odd_high);
+  rows[2] = picked<2, 3, 6, 7>(even_low, even_high);
+  rows[3] = picked<2, 3, 6, 7>(odd_low, odd_high);
 }
 inline void transpose(TwiceTwoLanes (&rows)[4]) {
   const auto [a, b, c, d] = rows;

@@ -1,5 +1,6 @@
-//! Finds libhalfspace in HALFSPACE_LIB_DIR, else by pkg-config. HALFSPACE_STATIC=1 links it
-//! statically, with the dependencies from pkg-config.
+//! Finds libhalfspace in HALFSPACE_LIB_DIR, else by pkg-config, else builds it by CMake from the
+//! sources around this crate. HALFSPACE_STATIC=1 links it statically, with the dependencies from
+//! pkg-config.
 
 use std::env;
 use std::path::Path;
@@ -26,7 +27,9 @@ fn main() {
             "{STATIC} takes pkg-config, which knows what the archive needs; unset {LIB_DIR}"
         )),
         Ok(directory) => named_by_the_user(&directory),
-        Err(_) => known_to_pkg_config(is_static),
+        Err(_) if is_static => known_to_pkg_config(is_static),
+        Err(_) => known_to_pkg_config(is_static)
+            .or_else(|unknown| built_from_sources().map_err(|why| format!("{unknown}; {why}"))),
     };
     match found {
         Ok(flags) => link(&flags, is_static),
@@ -69,6 +72,43 @@ fn known_to_pkg_config(is_static: bool) -> Result<Flags, String> {
     }
     let flags = String::from_utf8_lossy(&answer.stdout);
     Ok(flags.split_whitespace().map(str::to_owned).collect())
+}
+
+/// Builds the shared library alone, where the crate lies in the sources of libhalfspace.
+fn built_from_sources() -> Result<Flags, String> {
+    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
+    if !sources.join("capi/CMakeLists.txt").exists() {
+        return Err("there are no sources of it around the crate".to_owned());
+    }
+    let build = Path::new(&env::var("OUT_DIR").expect("cargo sets OUT_DIR")).join("libhalfspace");
+    let off = ["CLI", "TESTS", "DOCS", "BOX2D", "FORTRAN", "PYTHON", "RUST"]
+        .map(|part| format!("-DHALFSPACE_BUILD_{part}=OFF"));
+    let mut configure = Command::new("cmake");
+    configure
+        .arg("-S")
+        .arg(&sources)
+        .arg("-B")
+        .arg(&build)
+        .args(off);
+    configure.arg("-DCMAKE_BUILD_TYPE=Release");
+    let mut make = Command::new("cmake");
+    make.arg("--build").arg(&build);
+    make.args(["--target", "halfspace", "--parallel"]);
+    for command in [&mut configure, &mut make] {
+        let answer = command
+            .output()
+            .map_err(|error| format!("cmake does not run: {error}"))?;
+        if !answer.status.success() {
+            let errors = String::from_utf8_lossy(&answer.stderr).trim().to_owned();
+            return Err(format!("cmake could not build it: {errors}"));
+        }
+    }
+    println!("cargo:rerun-if-changed={}", sources.join("core").display());
+    println!("cargo:rerun-if-changed={}", sources.join("capi").display());
+    Ok(vec![
+        format!("-L{}", build.join("capi").display()),
+        "-lhalfspace".to_owned(),
+    ])
 }
 
 fn link(flags: &[String], is_static: bool) {

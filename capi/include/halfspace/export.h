@@ -4,7 +4,16 @@
 #ifndef HALFSPACE_EXPORT_H
 #define HALFSPACE_EXPORT_H
 
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(_WIN32) && defined(HALFSPACE_STATIC)
+/** Exported by the shared library. */
+#define HS_API
+#elif defined(_WIN32) && defined(halfspace_EXPORTS)
+/** Exported by the shared library. */
+#define HS_API __declspec(dllexport)
+#elif defined(_WIN32)
+/** Exported by the shared library. */
+#define HS_API __declspec(dllimport)
+#elif defined(__GNUC__) || defined(__clang__)
 /** Exported by the shared library. */
 #define HS_API __attribute__((visibility("default")))
 #else

@@ -32,10 +32,13 @@ struct Hourglass {
   Eigen::Matrix<double, N, modes> gamma;
   Eigen::Matrix<double, D * modes, D * modes> stiffness;  // K
 };
-template <int D>
-struct Hourglass<D, D + 1> {
+struct NoHourglass {
   bool is_consistent() const { return true; }
 };
+template <>
+struct Hourglass<2, 3> : NoHourglass {};
+template <>
+struct Hourglass<3, 4> : NoHourglass {};
 
 /// Vectors of the given nodes, one per column.
 template <int D, int N>

@@ -74,8 +74,12 @@ QuickhullResult quickhull(Array<double>& coordinates, double coplanar, Array<std
   Loops loops{first_of_facet.data(), corners.data(), max_facets, 3 * max_facets, 0};
 
   // qhull requires a stream for its messages: a buffer that is not read.
+#ifdef _WIN32
+  std::FILE* messages = std::fopen("NUL", "w");
+#else
   char buffer[256];
   std::FILE* messages = fmemopen(buffer, sizeof buffer, "w");
+#endif
   if (!messages) throw std::bad_alloc();
   const int code = run(coordinates.data(), count, coplanar, messages, loops);
   std::fclose(messages);

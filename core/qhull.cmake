@@ -1,0 +1,26 @@
+# The target halfspace_qhull: the system's Qhull, or its sources, which are fetched and become a part of the library.
+find_package(Qhull QUIET NO_MODULE GLOBAL)  # GLOBAL also for who links the static library
+add_library(halfspace_qhull INTERFACE)
+if(TARGET Qhull::qhull_r)
+  target_link_libraries(halfspace_qhull INTERFACE Qhull::qhull_r)
+  return()
+endif()
+if(TARGET Qhull::qhullstatic_r)
+  target_link_libraries(halfspace_qhull INTERFACE Qhull::qhullstatic_r)
+  return()
+endif()
+
+message(STATUS "Qhull is not installed (Debian: libqhull-dev): it is fetched. Without a network, set "
+  "FETCHCONTENT_SOURCE_DIR_QHULL to its sources.")
+include(FetchContent)
+FetchContent_Declare(qhull GIT_REPOSITORY https://github.com/qhull/qhull.git GIT_TAG 2020.2 GIT_SHALLOW TRUE)
+FetchContent_GetProperties(qhull)
+if(NOT qhull_POPULATED)
+  FetchContent_Populate(qhull)
+endif()
+file(GLOB qhull_sources ${qhull_SOURCE_DIR}/src/libqhull_r/*.c)
+add_library(halfspace_bundled_qhull OBJECT ${qhull_sources})
+target_include_directories(halfspace_bundled_qhull PUBLIC ${qhull_SOURCE_DIR}/src)
+set_target_properties(halfspace_bundled_qhull PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
+target_compile_options(halfspace_bundled_qhull PRIVATE -w)
+target_include_directories(halfspace_qhull INTERFACE ${qhull_SOURCE_DIR}/src)
