@@ -34,16 +34,29 @@ std::unique_ptr<Threads> threads_of(const hs_context_def& def) {
   }
 }
 
+namespace {
+
+// Windows frees aligned memory by a function of its own.
+void* allocate_by_system(std::size_t bytes, std::size_t alignment) {
+  if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes);
+#ifdef _WIN32
+  return _aligned_malloc(bytes, alignment);
+#else
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+#endif
+}
+void free_by_system(void* memory, [[maybe_unused]] std::size_t alignment) {
+#ifdef _WIN32
+  if (alignment > alignof(std::max_align_t)) return _aligned_free(memory);
+#endif
+  std::free(memory);
+}
+
+}  // namespace
+
 void* HostMemory::do_allocate(std::size_t bytes, std::size_t alignment) {
-  void* memory;
-  if (def_.allocate) {
-    memory = def_.allocate(bytes, alignment, def_.user);
-  } else if (alignment <= alignof(std::max_align_t)) {
-    memory = std::malloc(bytes);
-  } else {
-    const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
-    memory = std::aligned_alloc(alignment, rounded);
-  }
+  void* memory =
+      def_.allocate ? def_.allocate(bytes, alignment, def_.user) : allocate_by_system(bytes, alignment);
   if (!memory) throw std::bad_alloc();
   return memory;
 }
@@ -52,7 +65,7 @@ void HostMemory::do_deallocate(void* memory, std::size_t bytes, std::size_t alig
   if (def_.release) {
     def_.release(memory, bytes, alignment, def_.user);
   } else {
-    std::free(memory);
+    free_by_system(memory, alignment);
   }
 }
 

@@ -17,8 +17,16 @@ struct Refusal {
   char text[400];
 };
 
+/// The formats of printf, which MinGW-w64 would else take for those of Windows.
+#ifdef __MINGW32__
+#define HALFSPACE_PRINTF gnu_printf
+#else
+#define HALFSPACE_PRINTF printf
+#endif
+
 /// Ends the call with a status and a text that names the argument and its value.
-[[noreturn, gnu::format(printf, 2, 3)]] inline void refuse(hs_status status, const char* format, ...) {
+[[noreturn, gnu::format(HALFSPACE_PRINTF, 2, 3)]] inline void refuse(hs_status status, const char* format,
+                                                                     ...) {
   Refusal refusal;
   refusal.status = status;
   std::va_list arguments;
