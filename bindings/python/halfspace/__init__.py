@@ -51,6 +51,7 @@ from .impact import Motion, pair_time_of_impact
 from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
+from .query import boxes_find_pairs, pair_distance
 from .records import (
     BALANCE,
     BLOCK_STATE,
@@ -60,10 +61,12 @@ from .records import (
     BOND_EVENT,
     BOND_REPORT,
     CELL_STATE,
+    CLOSEST_POINTS,
     CONTACT,
     DEFORMATION,
     IMPACT,
     PAIR_CACHE,
+    RAY_HIT,
     SHAPE_PROPERTIES,
     STRENGTH_REPORT,
     WORLD_REPORT,
@@ -82,10 +85,12 @@ __all__ = [
     "BOND_EVENT",
     "BOND_REPORT",
     "CELL_STATE",
+    "CLOSEST_POINTS",
     "CONTACT",
     "DEFORMATION",
     "IMPACT",
     "PAIR_CACHE",
+    "RAY_HIT",
     "SHAPE_PROPERTIES",
     "STRENGTH_REPORT",
     "WORLD_REPORT",
@@ -125,12 +130,14 @@ __all__ = [
     "UnstableError",
     "World",
     "WorldPart",
+    "boxes_find_pairs",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",
     "default_context",
     "pair_caches",
     "pair_detect",
+    "pair_distance",
     "pair_time_of_impact",
     "pairs_detect",
     "pose",

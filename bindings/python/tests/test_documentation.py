@@ -6,13 +6,15 @@ import re
 import pytest
 
 import halfspace
-from halfspace import affine, context, impact, law, pair, shape, world
+from halfspace import affine, context, impact, law, pair, query, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
-@pytest.mark.parametrize("module", [halfspace, halfspace._arrays, affine, context, impact, law, pair, shape, world])
+@pytest.mark.parametrize(
+    "module", [halfspace, halfspace._arrays, affine, context, impact, law, pair, query, shape, world]
+)
 def test_examples_in_docstrings(module):
     names = {name: getattr(halfspace, name) for name in halfspace.__all__}
     result = doctest.testmod(module, extraglobs=names)
