@@ -56,15 +56,17 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(halfspace_pose), allocatable :: values(:)
-    integer :: failure
+    integer :: failure, i
     if (.not. are_of_one_size(x, y, angle, 'x, y and angle', stat, errmsg)) return
     allocate (values(size(x)), stat=failure)
     if (.not. had_memory(failure, stat, errmsg)) return
-    if (present(angle)) then
-      values = halfspace_pose(x, y, angle)
-    else
-      values = halfspace_pose(x, y)
-    end if
+    do i = 1, size(x)
+      if (present(angle)) then
+        values(i) = halfspace_pose(x(i), y(i), angle(i))
+      else
+        values(i) = halfspace_pose(x(i), y(i))
+      end if
+    end do
     call self%set_poses(values, stat, errmsg)
   end subroutine set_poses_in_plane
 

@@ -316,8 +316,8 @@ class Shape(Handle):
         Examples
         --------
         >>> hit = Shape.rectangle(1, 1).cast_ray((3, 0), (0, 0.25), (1, 0))
-        >>> print(hit.distance, hit.normal)
-        2.5 [-1.  0.  0.]
+        >>> print(hit.distance, hit.face)
+        2.5 3
         """
         array, address = empty_record(RAY_HIT)
         start, along = vector(origin, "origin"), vector(direction, "direction")
