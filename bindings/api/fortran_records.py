@@ -24,7 +24,8 @@ CONSTANTS_HEAD = """\
 !> The constants of the C interface.
 module halfspace_constants
 """
-RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance"]
+RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance", "hs_ray_hit",
+           "hs_closest_points"]
 # halfspace_bond and halfspace_bolt say how one is made.
 NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state"}
 
@@ -46,7 +47,7 @@ def write(api):
 
 
 def comment_of(struct, field):
-    is_index = meanings.of(struct, field) == meanings.INDEX
+    is_index = meanings.of(struct, field) in (meanings.INDEX, meanings.INDEX_OR_NONE)
     return re.sub(r"-1\b", "0", field["comment"]) if is_index else field["comment"]
 
 

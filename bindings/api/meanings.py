@@ -39,6 +39,8 @@ MEANINGS = {
     "hs_impact.state": "HS_IMPACT_",
     "hs_bond.is_joint": FLAG,
     "hs_bolt.is_ruptured": FLAG,
+    "hs_ray_hit.is_hit": FLAG,
+    "hs_ray_hit.face": INDEX_OR_NONE,
     "hs_bolt_def.is_tension_only": FLAG,
     "hs_bond_event.bond": INDEX,
     "hs_bond_event.point": INDEX,

@@ -36,6 +36,7 @@ CELL = ByHand("limiting_cell", "Option<(Body, usize)>",
 VERTICES = ByHand("vertices", "Vec<[f64; 2]>", None, "Remaining vertices, counter-clockwise.", ())
 FALLEN = ByHand("fallen", "Option<World>", None, "Final state of the last copy that failed; `None` if none did. Its "
                 "velocities and [`bond events`](World::bond_events) show the mechanism.", ())
+HIT = ByHand(None, None, None, None, ("is_hit",))  # a ray without a hit is `None`
 ON_SUCCESS = ByHand(None, None, None, None, ("fault", "sufficient_tolerance"))  # the report of a fault is an error
 
 # Struct: its name, its traits if not those that its fields allow, and fields by hand.
@@ -55,6 +56,8 @@ RECORDS = {
     "hs_fault": Record("Fault"),
     "hs_clean_report": Record("Cleaned", "Clone, Debug, PartialEq", (VERTICES,)),
     "hs_fit_report": Record("FitReport", None, (ON_SUCCESS,)),
+    "hs_ray_hit": Record("RayHit", None, (HIT,)),
+    "hs_closest_points": Record("ClosestPoints"),
     "hs_balance": Record("Balance"),
     "hs_strength_report": Record("StrengthFound", "Debug", (FALLEN,)),
 }

@@ -113,5 +113,5 @@ void hs_context_destroy(hs_context* context) {
 }
 
 const char* hs_context_last_error(const hs_context* context) {
-  return context ? context->last_error : "no context: the context or a handle was NULL";
+  return context ? context->last_error.read() : "no context: the context or a handle was NULL";
 }

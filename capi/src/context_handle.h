@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <memory_resource>
 #include <new>
@@ -44,6 +46,26 @@ class HostThreads : public Threads {
   hs_context_def def_;
 };
 
+/// Text of the last error, of fixed length, so that reporting an error cannot fail. Several threads may write
+/// it at once, as they may use the same shapes: then it is that of one of them, or mixed, but it ends.
+class ErrorText {
+ public:
+  static constexpr std::size_t size = 512;
+
+  void write(const char* text) {
+    for (std::size_t i = 0; i + 1 < size; ++i) {
+      characters_[i].store(text[i], std::memory_order_relaxed);
+      if (text[i] == 0) break;
+    }
+  }
+  const char* read() const { return reinterpret_cast<const char*>(characters_); }
+
+ private:
+  static_assert(sizeof(std::atomic<char>) == 1);
+
+  std::atomic<char> characters_[size] = {};
+};
+
 /// Returns NULL for one thread.
 std::unique_ptr<Threads> threads_of(const hs_context_def& def);
 
@@ -54,7 +76,7 @@ struct hs_context {
 
   halfspace::capi::HostMemory memory;
   std::unique_ptr<halfspace::Threads> threads;
-  char last_error[512] = "";  // fixed, so that reporting an error cannot fail
+  halfspace::capi::ErrorText last_error;
 };
 
 namespace halfspace::capi {

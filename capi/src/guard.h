@@ -37,7 +37,10 @@ struct Refusal {
 }
 
 inline void report(hs_context* context, const char* function, const char* text) {
-  if (context) std::snprintf(context->last_error, sizeof context->last_error, "%s: %s", function, text);
+  if (!context) return;
+  char line[ErrorText::size];
+  std::snprintf(line, sizeof line, "%s: %s", function, text);
+  context->last_error.write(line);
 }
 
 /// Calls the body and converts exceptions into a status and an error text. Detection of single pairs uses it,

@@ -8,6 +8,7 @@
 #include "guard.h"
 #include "make_polygon.h"
 #include "require.h"
+#include "shape_faults.h"
 #include "shape_handle.h"
 #include "strided_view.h"
 
@@ -18,10 +19,6 @@ namespace halfspace::capi {
 namespace {
 
 using Points = Array<Vector<2>>;
-
-[[noreturn]] void refuse_polygon(const FaultReport& report, const char* name, const Points& points) {
-  refuse_points<2>(points, report.vertex, name, name, fault_text(report.fault));
-}
 
 /// Reads a point that must differ from `end`, whose name is `name_of_end`.
 Vector<2> read_other_end(const double point[3], const char* name, const Vector<2>& end,

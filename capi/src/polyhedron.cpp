@@ -8,6 +8,7 @@
 #include "geometry/polyhedron/hull.h"
 #include "guard.h"
 #include "require.h"
+#include "shape_faults.h"
 #include "shape_handle.h"
 #include "strided_view.h"
 
@@ -44,15 +45,6 @@ Polyhedron read_polyhedron(hs_context* context, const hs_view& vertices, const s
   for (std::int64_t f = 0; f < face_count; ++f)
     polyhedron.first_of_face.push_back(polyhedron.first_of_face.back() + face_sizes[f]);
   return polyhedron;
-}
-
-[[noreturn]] void refuse_polyhedron(const PolyhedronFault& report, const Array<Vector<3>>& vertices) {
-  const char* const text = fault_text(report.fault);
-  const auto vertex = static_cast<long long>(report.vertex), face = static_cast<long long>(report.face);
-  if (report.face >= 0 && report.vertex >= 0)
-    refuse(HS_ERROR_GEOMETRY, "face %lld %s: vertices[%lld]", face, text, vertex);
-  if (report.face >= 0) refuse(HS_ERROR_GEOMETRY, "face %lld %s", face, text);
-  refuse_points<3>(vertices, report.vertex, "vertices", "vertices", text);
 }
 
 /// Only points out of range are faulty individually; other faults concern all points.

@@ -45,6 +45,12 @@ auto visit(const hs_shape& handle, Use&& use) {
   return handle.dimension() == 2 ? use(as<2>(handle)) : use(as<3>(handle));
 }
 
+template <class Use>
+auto visit(hs_shape& handle, Use&& use) {
+  return handle.dimension() == 2 ? use(static_cast<ShapeHandle<2>&>(handle).shape)
+                                 : use(static_cast<ShapeHandle<3>&>(handle).shape);
+}
+
 /// The body of an entry point that makes a shape.
 template <class Make>
 hs_status make_shape(hs_context* context, hs_shape** shape, const char* function, Make&& make) {

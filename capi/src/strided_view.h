@@ -56,20 +56,24 @@ Vector<D> read_finite_point(const hs_view& view, std::int64_t i, const char* nam
 
 /// All points of a view, each by read(i).
 template <int D, class Read>
-Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name, Read&& read) {
+Array<Vector<D>> read_points(Memory* memory, const hs_view& view, const char* name, Read&& read) {
   require_view<D>(view, name);
-  Array<Vector<D>> points(&context->memory);
+  Array<Vector<D>> points(memory);
   points.reserve(std::size_t(view.count));
   for (std::int64_t i = 0; i < view.count; ++i) points.push_back(read(i));
   return points;
 }
 template <int D>
+Array<Vector<D>> read_points(Memory* memory, const hs_view& view, const char* name) {
+  return read_points<D>(memory, view, name, [&](std::int64_t i) { return read_point<D>(view, i); });
+}
+template <int D>
 Array<Vector<D>> read_points(hs_context* context, const hs_view& view, const char* name) {
-  return read_points<D>(context, view, name, [&](std::int64_t i) { return read_point<D>(view, i); });
+  return read_points<D>(&context->memory, view, name);
 }
 template <int D>
 Array<Vector<D>> read_finite_points(hs_context* context, const hs_view& view, const char* name) {
-  return read_points<D>(context, view, name,
+  return read_points<D>(&context->memory, view, name,
                         [&](std::int64_t i) { return read_finite_point<D>(view, i, name); });
 }
 

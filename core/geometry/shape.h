@@ -35,7 +35,7 @@ class ShapeMeasures {
   std::uint64_t fingerprint_ = 0;
 };
 
-/// An immutable convex shape in its own frame, centroid at the origin.
+/// A convex shape in its own frame, centroid at the origin.
 template <int D>
 class Shape;
 
@@ -49,6 +49,10 @@ class Shape<2> : public ShapeMeasures<2> {
   Shape(const Shape& other, Memory* memory);
   Shape(const Shape&) = delete;  // its outline points into its own components
   Shape& operator=(const Shape&) = delete;
+
+  /// Moves the vertices: as many as there are, without a fault by check_polygon(). Clockwise ones are
+  /// reversed.
+  void set_vertices(std::span<Vector<2>> vertices);
 
   int vertex_count() const { return count_; }
   const Outline<2>& outline() const { return outline_; }
@@ -81,6 +85,9 @@ class Shape<3> : public ShapeMeasures<3> {
   Shape(const Shape&) = delete;  // its outline points into its own components
   Shape& operator=(const Shape&) = delete;
 
+  /// Moves vertices and faces: a polyhedron without a fault by check_polyhedron(), with the same loops.
+  void set_polyhedron(const Polyhedron& polyhedron);
+
   int vertex_count() const { return topology().vertex_count; }
   int edge_count() const { return topology().edge_count; }
   int face_count() const { return topology().face_count; }
@@ -107,7 +114,7 @@ class Shape<3> : public ShapeMeasures<3> {
   double largest_face_ = 0;
   TopologyArrays topology_;
   Array<double> components_;           // x, y, z, then nx, ny, nz, offset, each padded
-  std::optional<GaussMap> gauss_map_;  // only with many vertices
+  std::optional<GaussMap> gauss_map_;  // only with many vertices that have not been moved
   Outline<3> outline_;                 // into components_, topology_ and gauss_map_
 };
 

@@ -232,7 +232,8 @@ void World<D>::load_left_out() {
 /// Worlds without springs whose contacts are points do not sleep, nor do those with motions or loads in time.
 template <int D>
 void World<D>::look_for_sleep() {
-  if (!(model_.settings.sleep_tolerance > 0) || (hard_contacts_.is_used() && model_.may_have_points())) return;
+  if (!(model_.settings.sleep_tolerance > 0) || (hard_contacts_.is_used() && model_.may_have_points()))
+    return;
   if (!model_.actions.empty()) return;
   if (clock_.steps() % steps_between_looks != 0) return;
   const auto touches = [&](auto visit) { for_each_touch(visit); };

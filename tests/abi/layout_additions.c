@@ -57,6 +57,20 @@ FIELD(hs_world_plan, bolt_count, 232, 8);
 FIELD(hs_world_plan, water_seconds, 240, 8);
 FIELD(hs_world_plan, bolt_seconds, 248, 8);
 
+_Static_assert(sizeof(hs_ray_hit) == 72, "hs_ray_hit");
+FIELD(hs_ray_hit, is_hit, 0, 4);
+FIELD(hs_ray_hit, face, 4, 4);
+FIELD(hs_ray_hit, block, 8, 8);
+FIELD(hs_ray_hit, distance, 16, 8);
+FIELD(hs_ray_hit, point, 24, 24);
+FIELD(hs_ray_hit, normal, 48, 24);
+
+_Static_assert(sizeof(hs_closest_points) == 80, "hs_closest_points");
+FIELD(hs_closest_points, distance, 0, 8);
+FIELD(hs_closest_points, point_a, 8, 24);
+FIELD(hs_closest_points, point_b, 32, 24);
+FIELD(hs_closest_points, normal, 56, 24);
+
 _Static_assert(sizeof(hs_water_def) >= 24, "hs_water_def");
 FIELD(hs_water_def, struct_size, 0, 4);
 FIELD(hs_water_def, columns, 4, 4);

@@ -142,6 +142,23 @@ hs_status detect_pairs(Scene& s) {
                          &s.written.counts[0]);
 }
 
+hs_status find_boxes(Scene& s) {
+  Points3 lower, upper;
+  for (const double x : {0.0, 0.5, 2.0}) {
+    lower.push_back({x, 0, 0});
+    upper.push_back({x + 1, 1, 1});
+  }
+  return hs_boxes_find_pairs(s.context.get(), s.dimension, view_of(lower), view_of(upper),
+                             s.written.indices[0], 256, &s.written.counts[0]);
+}
+
+/// Twice as wide.
+hs_status set_vertices(Scene& s) {
+  Points3 vertices = vertices_3d_of(s.round.get());
+  for (Point3& vertex : vertices) vertex.x *= 2;
+  return hs_shape_set_vertices(s.round.get(), view_of(vertices));
+}
+
 hs_status check_polyhedron(Scene& s) {
   return hs_polyhedron_check(s.context.get(), view_of(s.solid.vertices), s.solid.faces.sizes.data(), 6,
                              s.solid.faces.vertices.data(), &s.written.fault);
@@ -305,6 +322,20 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
        }},
       {"hs_shape_get_halfspaces", Allocates::never,
        [](S s) { return hs_shape_get_halfspaces(s.round.get(), room(s, 0), nullptr, &s.written.counts[0]); }},
+
+      {"hs_shape_set_vertices", Allocates::never, set_vertices},
+
+      {"hs_shape_cast_ray", Allocates::never,
+       [](S s) {
+         return hs_shape_cast_ray(s.round.get(), &s.poses[1], nowhere, aslant, 9, &s.written.hits[0]);
+       }},
+      {"hs_world_cast_ray", Allocates::never,
+       [](S s) { return hs_world_cast_ray(s.world.get(), nowhere, aslant, 9, &s.written.hits[1]); }},
+      {"hs_pair_distance", Allocates::in_the_plane,
+       [](S s) {
+         return hs_pair_distance(s.box.get(), &s.poses[0], s.round.get(), &s.poses[1], &s.written.closest);
+       }},
+      {"hs_boxes_find_pairs", Allocates::always, find_boxes},
 
       {"hs_pair_detect", Allocates::in_the_plane,
        [](S s) {

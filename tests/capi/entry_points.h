@@ -19,6 +19,8 @@ struct Written {
   hs_shape_properties properties;
   hs_contact contact;
   hs_impact impact;
+  hs_ray_hit hits[2];
+  hs_closest_points closest;
   hs_block blocks[4];
   hs_block_state state;
   hs_deformation deformations[4];

@@ -82,7 +82,7 @@ TEST_CASE("momentum passes through manifolds and points together", "[impulses]")
     if (kind == HS_BLOCK_RIGID) scene.check(hs_world_hold_block(scene.world(), last, HS_AXIS_Y));
     scene.step(20);
     const double momentum = scene.velocity(first).x + scene.velocity(middle).x + scene.velocity(last).x;
-    CHECK(momentum == Approx(3).epsilon(1e-7));
+    CHECK(momentum == Approx(3).epsilon(1e-9));
     CHECK(scene.velocity(first).x == Approx(scene.velocity(middle).x).epsilon(1e-6));
     if (kind == HS_BLOCK_RIGID) CHECK(scene.velocity(last).x == Approx(1).epsilon(1e-6));
     // Elastic waves keep their energy to second order in the step.

@@ -26,6 +26,8 @@ module halfspace
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
+  use halfspace_queries, only: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, &
+    halfspace_find_closest_points, halfspace_ray_hit
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, &
     halfspace_world_report

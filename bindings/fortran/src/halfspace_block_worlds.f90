@@ -36,10 +36,14 @@ module halfspace_block_worlds
     procedure :: set_pose
     procedure :: set_velocity
     procedure :: set_applied_force
-    procedure :: poses
-    procedure :: set_poses
-    procedure :: velocities
-    procedure :: set_velocities
+    procedure, private :: poses_of_blocks => poses
+    procedure, private :: set_poses_of_blocks => set_poses
+    procedure, private :: velocities_of_blocks => velocities
+    procedure, private :: set_velocities_of_blocks => set_velocities
+    generic :: poses => poses_of_blocks
+    generic :: set_poses => set_poses_of_blocks
+    generic :: velocities => velocities_of_blocks
+    generic :: set_velocities => set_velocities_of_blocks
     procedure :: set_elasticity
     procedure :: deformation
     procedure :: deformations

@@ -714,6 +714,24 @@ module halfspace_c
     real(c_double) :: bolt_seconds = 0.0_c_double  !< s per step: forces of bolts
   end type hs_world_plan
 
+  !> First point of a ray in a shape or in a world.
+  type, bind(c) :: hs_ray_hit
+    integer(c_int32_t) :: is_hit = 0  !< 1: the ray meets a shape within its length; 0: all other fields are 0, face is -1
+    integer(c_int32_t) :: face = 0  !< index of the face (2D: edge) that the ray enters through; -1: it starts inside
+    integer(c_int64_t) :: block = 0  !< id, in a world; else 0
+    real(c_double) :: distance = 0.0_c_double  !< from the origin of the ray, m; 0 if it starts inside or on the boundary
+    real(c_double) :: point(3) = 0.0_c_double  !< where it enters; its origin if it starts inside
+    real(c_double) :: normal(3) = 0.0_c_double  !< outer unit normal of the face; 0 if it starts inside
+  end type hs_ray_hit
+
+  !> Closest points of two shapes.
+  type, bind(c) :: hs_closest_points
+    real(c_double) :: distance = 0.0_c_double  !< m; 0 when hs_pair_detect() finds a contact with its default options
+    real(c_double) :: point_a(3) = 0.0_c_double  !< point of a; when the shapes overlap, a common point of both
+    real(c_double) :: point_b(3) = 0.0_c_double  !< point of b; when the shapes overlap, the same point, to rounding
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b; 0 when the distance is 0
+  end type hs_closest_points
+
   !> Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
   type, bind(c) :: hs_relaxation_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_relaxation_def_init()
@@ -1038,6 +1056,20 @@ module halfspace_c
       type(c_ptr), intent(out) :: ahead  !< receives the part on the positive side, or NULL; the caller destroys both parts
       integer(c_int32_t) :: hs_shape_cut
     end function hs_shape_cut
+
+    !> Moves the vertices of a shape in place, for hosts whose bodies deform. The number of vertices and the
+    !! faces stay, so pair caches remain valid; worlds keep the copies that they have. The new centroid,
+    !! without rotation, is the pose at which the vertices are where they were given.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, vertex and face; the shape
+    !! has not changed), or HS_ERROR_OUT_OF_MEMORY (only large shapes need memory)
+    function hs_shape_set_vertices(shape, vertices) bind(c)
+      import
+      type(c_ptr), value :: shape  !< not NULL
+      !> as many as hs_shape_get_vertices() returns, in that order, m; in 2D also in the reverse order. In 3D
+      !! faces must be plane to rounding, and all faces counter-clockwise seen from outside
+      type(hs_view), value :: vertices
+      integer(c_int32_t) :: hs_shape_set_vertices
+    end function hs_shape_set_vertices
 
     !> Returns geometry and mass properties of a shape.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
@@ -2049,6 +2081,62 @@ module halfspace_c
       integer(c_size_t), value :: size  !< sizeof(hs_world_plan) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_plan
     end function hs_world_get_plan
+
+    !> Casts a ray at a shape. A ray that touches the shape to rounding hits it.
+    !! Returns HS_OK (also without a hit) or HS_ERROR_ARGUMENT
+    function hs_shape_cast_ray(shape, pose, origin, direction, max_distance, hit) bind(c)
+      import
+      type(c_ptr), value :: shape  !< not NULL
+      type(hs_pose), intent(in) :: pose  !< of the shape
+      real(c_double), intent(in) :: origin(3)  !< start of the ray, 3 values, m
+      real(c_double), intent(in) :: direction(3)  !< 3 values, of any length except 0
+      real(c_double), value :: max_distance  !< length of the ray, m, from 0 to 1e75
+      type(hs_ray_hit), intent(out) :: hit  !< receives the point where the ray enters, or that there is none
+      integer(c_int32_t) :: hs_shape_cast_ray
+    end function hs_shape_cast_ray
+
+    !> Casts a ray into a world. All blocks are tested: fixed ones, parts of compounds, and cells at the
+    !! surfaces of meshes. At equal distances the block added first is hit.
+    !! Returns HS_OK (also without a hit) or HS_ERROR_ARGUMENT
+    function hs_world_cast_ray(world, origin, direction, max_distance, hit) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      real(c_double), intent(in) :: origin(3)  !< as for hs_shape_cast_ray()
+      real(c_double), intent(in) :: direction(3)  !< as for hs_shape_cast_ray()
+      real(c_double), value :: max_distance  !< as for hs_shape_cast_ray()
+      type(hs_ray_hit), intent(out) :: hit  !< receives the first block on the ray, or that there is none
+      integer(c_int32_t) :: hs_world_cast_ray
+    end function hs_world_cast_ray
+
+    !> Finds the closest points of two shapes, by GJK. Shapes with parallel faces may have many; one pair is
+    !! returned. The depth of an overlap is the gap of hs_pair_detect().
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
+    function hs_pair_distance(shape_a, pose_a, shape_b, pose_b, points) bind(c)
+      import
+      type(c_ptr), value :: shape_a  !< the shapes, of the same dimension; may be the same shape
+      type(hs_pose), intent(in) :: pose_a  !< their poses
+      type(c_ptr), value :: shape_b  !< the shapes, of the same dimension; may be the same shape
+      type(hs_pose), intent(in) :: pose_b  !< their poses
+      type(hs_closest_points), intent(out) :: points  !< receives distance, points and normal
+      integer(c_int32_t) :: hs_pair_distance
+    end function hs_pair_distance
+
+    !> Broad phase alone: finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in boxes
+    !! and pairs. Boxes that touch overlap.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    function hs_boxes_find_pairs(context, dimension, lower, upper, pairs, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context  !< allocates temporary memory and keeps the error text
+      integer(c_int32_t), value :: dimension  !< 2 or 3
+      type(hs_view), value :: lower  !< lower corners of the boxes, m, at most 2^30
+      type(hs_view), value :: upper  !< upper corners, as many; no component is below that of the lower corner
+      !> receives the indices a < b of each pair, 2 * capacity values, in an order that depends on the boxes
+      !! only; may be NULL if capacity is 0
+      type(c_ptr), value :: pairs
+      integer(c_int64_t), value :: capacity  !< in pairs
+      type(c_ptr), value :: count  !< receives the number of pairs; may be NULL
+      integer(c_int32_t) :: hs_boxes_find_pairs
+    end function hs_boxes_find_pairs
 
     !> Fills a relaxation definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

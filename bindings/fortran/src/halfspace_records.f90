@@ -8,7 +8,7 @@ module halfspace_records
   implicit none
   private
   public :: halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
-    halfspace_cell_state, halfspace_balance
+    halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
   !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
@@ -109,5 +109,25 @@ module halfspace_records
     !> block that largest_force acts on; for a node, one of its surface blocks; 0: none
     type(halfspace_block) :: largest_force_block
   end type halfspace_balance
+
+  !> First point of a ray in a shape or in a world.
+  type, bind(c) :: halfspace_ray_hit
+    !> 1: the ray meets a shape within its length; 0: all other fields are 0, face is -1
+    integer(c_int32_t) :: is_hit = 0
+    integer(c_int32_t) :: face = 0  !< index of the face (2D: edge) that the ray enters through; 0: it starts inside
+    type(halfspace_block) :: block  !< id, in a world; else 0
+    !> from the origin of the ray, m; 0 if it starts inside or on the boundary
+    real(c_double) :: distance = 0.0_c_double
+    real(c_double) :: point(3) = 0.0_c_double  !< where it enters; its origin if it starts inside
+    real(c_double) :: normal(3) = 0.0_c_double  !< outer unit normal of the face; 0 if it starts inside
+  end type halfspace_ray_hit
+
+  !> Closest points of two shapes.
+  type, bind(c) :: halfspace_closest_points
+    real(c_double) :: distance = 0.0_c_double  !< m; 0 when hs_pair_detect() finds a contact with its default options
+    real(c_double) :: point_a(3) = 0.0_c_double  !< point of a; when the shapes overlap, a common point of both
+    real(c_double) :: point_b(3) = 0.0_c_double  !< point of b; when the shapes overlap, the same point, to rounding
+    real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b; 0 when the distance is 0
+  end type halfspace_closest_points
 
 end module halfspace_records

@@ -1,10 +1,11 @@
 !> Convex shapes: creation, cutting, mass properties, half-spaces.
 !!
-!! A shape is immutable and may be used by any number of blocks. The origin of its frame is its centroid;
+!! A shape may be used by any number of blocks; only set_vertices() changes it. The origin of its frame is its centroid;
 !! halfspace_shape_properties%centroid is the centroid in the coordinates that the shape was made from.
 !!
 !! Points are columns, x(2,n) or x(3,n); with rows = .true. they are rows, x(n,2) or x(n,3). Array sections are accessed
-!! without a copy. Without a given context a shape makes its own.
+!! without a copy. In the plane, vertices may also be separate arrays x(:) and y(:). Without a given context a shape
+!! makes its own.
 module halfspace_shapes
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c, halfspace_fault => hs_fault, halfspace_fit_report => hs_fit_report, &
@@ -12,7 +13,8 @@ module halfspace_shapes
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_handles, only: shared_handle
-  use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
+  use halfspace_views, only: address_of, are_of_one_size, are_points, components, is_vector, mutable_components, &
+    mutable_view, three_of, view
   implicit none
   private
   public :: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
@@ -23,7 +25,9 @@ module halfspace_shapes
     private
     type(shared_handle) :: handle
   contains
-    procedure :: create_polygon
+    procedure, private :: create_polygon_of_points
+    procedure, private :: create_polygon_of_components
+    generic :: create_polygon => create_polygon_of_points, create_polygon_of_components
     procedure :: create_polygon_hull
     procedure :: create_boundary
     procedure :: create_polyhedron
@@ -34,7 +38,12 @@ module halfspace_shapes
     procedure :: destroy
     procedure :: exists
     procedure :: properties
-    procedure :: vertices
+    procedure, private :: set_vertices_to_points
+    procedure, private :: set_vertices_to_components
+    generic :: set_vertices => set_vertices_to_points, set_vertices_to_components
+    procedure, private :: vertices_as_points
+    procedure, private :: vertices_as_components
+    generic :: vertices => vertices_as_points, vertices_as_components
     procedure :: faces
     procedure :: edges
     procedure :: halfspaces
@@ -56,15 +65,27 @@ module halfspace_shapes
 contains
 
   !> Creates a convex polygon. Faulty input is refused, not repaired.
-  subroutine create_polygon(self, vertices, rows, context, stat, errmsg)
+  subroutine create_polygon_of_points(self, vertices, rows, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     real(c_double), intent(in), target :: vertices(:,:)  !< 3 or more, clockwise or counter-clockwise
     logical, intent(in), optional :: rows
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call create(self, hs_polygon_create, vertices, 'vertices', rows, context, stat, errmsg)
-  end subroutine create_polygon
+    if (.not. are_points(vertices, 'vertices', rows, stat, errmsg)) return
+    call create(self, hs_polygon_create, view(vertices, rows), context, stat, errmsg)
+  end subroutine create_polygon_of_points
+
+  !> The same from a separate array for each component.
+  subroutine create_polygon_of_components(self, x, y, context, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target, contiguous :: x(:), y(:)
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. are_of_one_size(x, y, names='x and y', stat=stat, errmsg=errmsg)) return
+    call create(self, hs_polygon_create, components(x, y), context, stat, errmsg)
+  end subroutine create_polygon_of_components
 
   !> Creates the convex hull of points as a polygon.
   subroutine create_polygon_hull(self, points, rows, context, stat, errmsg)
@@ -74,7 +95,8 @@ contains
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call create(self, hs_polygon_create_hull, points, 'points', rows, context, stat, errmsg)
+    if (.not. are_points(points, 'points', rows, stat, errmsg)) return
+    call create(self, hs_polygon_create_hull, view(points, rows), context, stat, errmsg)
   end subroutine create_polygon_hull
 
   !> Creates a boundary segment for a fixed or prescribed block: a virtual polygon with the segment as one edge. Its
@@ -123,24 +145,22 @@ contains
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call create(self, hs_polyhedron_create_hull, points, 'points', rows, context, stat, errmsg)
+    if (.not. are_points(points, 'points', rows, stat, errmsg)) return
+    call create(self, hs_polyhedron_create_hull, view(points, rows), context, stat, errmsg)
   end subroutine create_polyhedron_hull
 
-  subroutine create(self, from_points, points, name, rows, context, stat, errmsg)
+  subroutine create(self, from_points, points, context, stat, errmsg)
     class(halfspace_shape), intent(inout) :: self
     procedure(shape_of_points) :: from_points
-    real(c_double), intent(in), target :: points(:,:)
-    character(*), intent(in) :: name
-    logical, intent(in), optional :: rows
+    type(hs_view), intent(in) :: points
     type(halfspace_context), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(shared_handle) :: owner
     type(c_ptr) :: object
     integer(c_int32_t) :: status
-    if (.not. are_points(points, name, rows, stat, errmsg)) return
     if (.not. own_or_given(context, owner, stat, errmsg)) return
-    status = from_points(owner%object(), view(points, rows), object)
+    status = from_points(owner%object(), points, object)
     if (status == HS_OK) then
       if (.not. self%handle%takes(object, hs_shape_destroy, owner, stat=stat, errmsg=errmsg)) return
     end if
@@ -330,7 +350,7 @@ contains
   end subroutine properties
 
   !> Returns the vertices, in the coordinates that the shape was made from; in 2D counter-clockwise.
-  subroutine vertices(self, points, rows, count, stat, errmsg)
+  subroutine vertices_as_points(self, points, rows, count, stat, errmsg)
     class(halfspace_shape), intent(in) :: self
     real(c_double), intent(inout), target :: points(:,:)
     logical, intent(in), optional :: rows
@@ -340,7 +360,42 @@ contains
     if (.not. are_points(points, 'points', rows, stat, errmsg)) return
     call conclude(hs_shape_get_vertices(self%handle%object(), mutable_view(points, rows), address_of(count)), &
                   self%handle%context(), stat, errmsg)
-  end subroutine vertices
+  end subroutine vertices_as_points
+
+  !> The same in a separate array for each component, in the plane.
+  subroutine vertices_as_components(self, x, y, count, stat, errmsg)
+    class(halfspace_shape), intent(in) :: self
+    real(c_double), intent(inout), target, contiguous :: x(:), y(:)
+    integer(c_int64_t), intent(out), target, optional :: count  !< number of vertices, also when they do not fit
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. are_of_one_size(x, y, names='x and y', stat=stat, errmsg=errmsg)) return
+    call conclude(hs_shape_get_vertices(self%handle%object(), mutable_components(x, y), address_of(count)), &
+                  self%handle%context(), stat, errmsg)
+  end subroutine vertices_as_components
+
+  !> Moves the vertices in place, for hosts whose bodies deform: as many as vertices() returns, in that order, in 2D
+  !! also in the reverse order. In 3D faces must stay plane to rounding, and convex. Pair caches remain valid; worlds
+  !! keep the copies that they have. After an error the shape has not changed.
+  subroutine set_vertices_to_points(self, points, rows, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target :: points(:,:)
+    logical, intent(in), optional :: rows
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. are_points(points, 'points', rows, stat, errmsg)) return
+    call conclude(hs_shape_set_vertices(self%handle%object(), view(points, rows)), self%handle%context(), stat, errmsg)
+  end subroutine set_vertices_to_points
+
+  !> The same from a separate array for each component, in the plane.
+  subroutine set_vertices_to_components(self, x, y, stat, errmsg)
+    class(halfspace_shape), intent(inout) :: self
+    real(c_double), intent(in), target, contiguous :: x(:), y(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. are_of_one_size(x, y, names='x and y', stat=stat, errmsg=errmsg)) return
+    call conclude(hs_shape_set_vertices(self%handle%object(), components(x, y)), self%handle%context(), stat, errmsg)
+  end subroutine set_vertices_to_components
 
   !> Returns the half-spaces: p is inside if dot_product(normal, p) <= offset. Half-space i belongs to face i; in 2D to
   !! the edge from vertex i to i + 1. The origin of the frame is the centroid.

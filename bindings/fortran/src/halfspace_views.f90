@@ -5,7 +5,8 @@ module halfspace_views
   use halfspace_errors, only: refuse
   implicit none
   private
-  public :: address_of, are_points, is_vector, mutable_view, three_of, view
+  public :: address_of, are_of_one_size, are_points, components, is_vector, mutable_components, mutable_view, &
+    three_of, view
 
 contains
 
@@ -38,6 +39,38 @@ contains
     logical, intent(in), optional :: rows
     call find(points, rows, view%x, view%y, view%z, view%stride, view%count)
   end function mutable_view
+
+  !> Points in the plane with an array per component.
+  type(hs_view) function components(x, y)
+    real(c_double), intent(in), target, contiguous :: x(:), y(:)
+    if (size(x) == 0) return
+    components%x = c_loc(x)
+    components%y = c_loc(y)
+    components%stride = storage_size(x) / 8
+    components%count = size(x, kind=c_int64_t)
+  end function components
+
+  type(hs_mutable_view) function mutable_components(x, y) result(view)
+    real(c_double), intent(in), target, contiguous :: x(:), y(:)
+    type(hs_view) :: read_only
+    read_only = components(x, y)
+    view%x = read_only%x
+    view%y = read_only%y
+    view%stride = read_only%stride
+    view%count = read_only%count
+  end function mutable_components
+
+  !> Have the components one size? Refuses others.
+  logical function are_of_one_size(x, y, z, names, stat, errmsg)
+    real(c_double), intent(in) :: x(:), y(:)
+    real(c_double), intent(in), optional :: z(:)
+    character(*), intent(in) :: names
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    are_of_one_size = size(y) == size(x)
+    if (present(z)) are_of_one_size = are_of_one_size .and. size(z) == size(x)
+    if (.not. are_of_one_size) call refuse(names // ': the sizes must be equal', stat, errmsg)
+  end function are_of_one_size
 
   !> The stride is the difference of addresses, so array sections need no copy.
   subroutine find(points, rows, x, y, z, stride, count)

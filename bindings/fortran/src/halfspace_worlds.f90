@@ -9,10 +9,10 @@ module halfspace_worlds
     halfspace_world_report => hs_world_report
   use halfspace_block_worlds, only: halfspace_block_state
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state
-  use halfspace_bolted_worlds, only: bolted_world
   use halfspace_contacts, only: halfspace_block, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
   use halfspace_meshes, only: halfspace_mesh
+  use halfspace_plane_worlds, only: plane_world
   use halfspace_shapes, only: halfspace_shape
   implicit none
   private
@@ -20,8 +20,9 @@ module halfspace_worlds
 
   !> Assignment adds a reference: all copies are the same world, which the last one destroys. save() and restore() make
   !! a copy. Procedures for blocks are declared in halfspace_block_worlds, for bonds and relaxation in
-  !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds.
-  type, extends(bolted_world) :: halfspace_world
+  !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds, for separate arrays of components in the
+  !! plane in halfspace_plane_worlds.
+  type, extends(plane_world) :: halfspace_world
   contains
     procedure :: add_mesh
     procedure :: remove_body
@@ -48,7 +49,8 @@ module halfspace_worlds
     procedure :: hold_block
     procedure :: prescribe_velocities
     procedure :: detect
-    procedure :: forces
+    procedure, private :: forces_on_blocks => forces
+    generic :: forces => forces_on_blocks
     procedure :: step
     procedure :: report
     procedure :: plan

@@ -55,6 +55,7 @@ from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
 from .progress import ProgressBar
+from .query import boxes_find_pairs, pair_distance
 from .records import (
     BALANCE,
     BLOCK_STATE,
@@ -64,10 +65,12 @@ from .records import (
     BOND_EVENT,
     BOND_REPORT,
     CELL_STATE,
+    CLOSEST_POINTS,
     CONTACT,
     DEFORMATION,
     IMPACT,
     PAIR_CACHE,
+    RAY_HIT,
     SHAPE_PROPERTIES,
     STRENGTH_REPORT,
     WORLD_REPORT,
@@ -91,10 +94,12 @@ __all__ = [
     "BOND_EVENT",
     "BOND_REPORT",
     "CELL_STATE",
+    "CLOSEST_POINTS",
     "CONTACT",
     "DEFORMATION",
     "IMPACT",
     "PAIR_CACHE",
+    "RAY_HIT",
     "SHAPE_PROPERTIES",
     "STRENGTH_REPORT",
     "WORLD_REPORT",
@@ -143,6 +148,7 @@ __all__ = [
     "World",
     "WorldPart",
     "arch",
+    "boxes_find_pairs",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",
@@ -150,6 +156,7 @@ __all__ = [
     "jointed_rock",
     "pair_caches",
     "pair_detect",
+    "pair_distance",
     "pair_time_of_impact",
     "pairs_detect",
     "pose",

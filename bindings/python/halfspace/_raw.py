@@ -199,7 +199,7 @@ class hs_task(Structure):
 
 
 class hs_shape(Structure):
-    """Opaque, immutable convex polygon (2D) or polyhedron (3D)."""
+    """Opaque convex polygon (2D) or polyhedron (3D)."""
 
 
 class hs_world(Structure):
@@ -878,6 +878,31 @@ class hs_world_plan(Structure):
     ]
 
 
+class hs_ray_hit(Structure):
+    """First point of a ray in a shape or in a world."""
+
+    _fields_ = [
+        # 1: the ray meets a shape within its length; 0: all other fields are 0, face is -1
+        ("is_hit", c_int32),
+        ("face", c_int32),  # index of the face (2D: edge) that the ray enters through; -1: it starts inside
+        ("block", hs_block),  # id, in a world; else 0
+        ("distance", c_double),  # from the origin of the ray, m; 0 if it starts inside or on the boundary
+        ("point", c_double * 3),  # where it enters; its origin if it starts inside
+        ("normal", c_double * 3),  # outer unit normal of the face; 0 if it starts inside
+    ]
+
+
+class hs_closest_points(Structure):
+    """Closest points of two shapes."""
+
+    _fields_ = [
+        ("distance", c_double),  # m; 0 when hs_pair_detect() finds a contact with its default options
+        ("point_a", c_double * 3),  # point of a; when the shapes overlap, a common point of both
+        ("point_b", c_double * 3),  # point of b; when the shapes overlap, the same point, to rounding
+        ("normal", c_double * 3),  # unit vector from a to b; 0 when the distance is 0
+    ]
+
+
 class hs_relaxation_def(Structure):
     """Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init()."""
 
@@ -1130,6 +1155,15 @@ def declare(library: Any) -> None:
         POINTER(POINTER(hs_shape)),  # ahead
     ]
     library.hs_shape_cut.restype = hs_status
+
+    # Moves the vertices of a shape in place, for hosts whose bodies deform. The number of vertices and the
+    # faces stay, so pair caches remain valid; worlds keep the copies that they have. The new centroid,
+    # without rotation, is the pose at which the vertices are where they were given.
+    library.hs_shape_set_vertices.argtypes = [
+        POINTER(hs_shape),  # shape
+        hs_view,  # vertices
+    ]
+    library.hs_shape_set_vertices.restype = hs_status
 
     # Returns geometry and mass properties of a shape.
     library.hs_shape_get_properties.argtypes = [
@@ -1930,6 +1964,52 @@ def declare(library: Any) -> None:
         c_size_t,  # size
     ]
     library.hs_world_get_plan.restype = hs_status
+
+    # Casts a ray at a shape. A ray that touches the shape to rounding hits it.
+    library.hs_shape_cast_ray.argtypes = [
+        POINTER(hs_shape),  # shape
+        POINTER(hs_pose),  # pose
+        c_void_p,  # origin
+        c_void_p,  # direction
+        c_double,  # max_distance
+        POINTER(hs_ray_hit),  # hit
+    ]
+    library.hs_shape_cast_ray.restype = hs_status
+
+    # Casts a ray into a world. All blocks are tested: fixed ones, parts of compounds, and cells at the
+    # surfaces of meshes. At equal distances the block added first is hit.
+    library.hs_world_cast_ray.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # origin
+        c_void_p,  # direction
+        c_double,  # max_distance
+        POINTER(hs_ray_hit),  # hit
+    ]
+    library.hs_world_cast_ray.restype = hs_status
+
+    # Finds the closest points of two shapes, by GJK. Shapes with parallel faces may have many; one pair is
+    # returned. The depth of an overlap is the gap of hs_pair_detect().
+    library.hs_pair_distance.argtypes = [
+        POINTER(hs_shape),  # shape_a
+        POINTER(hs_pose),  # pose_a
+        POINTER(hs_shape),  # shape_b
+        POINTER(hs_pose),  # pose_b
+        POINTER(hs_closest_points),  # points
+    ]
+    library.hs_pair_distance.restype = hs_status
+
+    # Broad phase alone: finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in boxes
+    # and pairs. Boxes that touch overlap.
+    library.hs_boxes_find_pairs.argtypes = [
+        POINTER(hs_context),  # context
+        c_int32,  # dimension
+        hs_view,  # lower
+        hs_view,  # upper
+        c_void_p,  # pairs
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_boxes_find_pairs.restype = hs_status
 
     # Fills a relaxation definition with its defaults.
     library.hs_relaxation_def_init.argtypes = [

@@ -13,7 +13,7 @@ from ._choice import choice
 from ._library import library
 from .constants import BlockKind
 from .context import held
-from .relax import Statics
+from .query import QueriedBlocks
 from .shape import Shape
 
 
@@ -38,7 +38,7 @@ def set_start(
         definition.angular_velocity = turn_vector(angular_velocity, "angular_velocity")
 
 
-class CompoundBlocks(Statics):
+class CompoundBlocks(QueriedBlocks):
     """The compounds of a world."""
 
     def add_compound(

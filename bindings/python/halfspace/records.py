@@ -869,6 +869,60 @@ class WorldPlan(Record):
 WORLD_PLAN = record_type(WorldPlan, _raw.hs_world_plan)
 
 
+class RayHit(Record):
+    """First point of a ray in a shape or in a world.
+
+    Attributes
+    ----------
+    is_hit : int
+        1: the ray meets a shape within its length; 0: all other fields are 0, face is -1
+    face : int
+        index of the face (2D: edge) that the ray enters through; -1: it starts inside
+    block : int
+        id, in a world; else 0
+    distance : float
+        from the origin of the ray, m; 0 if it starts inside or on the boundary
+    point : array, shape (3,)
+        where it enters; its origin if it starts inside
+    normal : array, shape (3,)
+        outer unit normal of the face; 0 if it starts inside
+    """
+
+    is_hit: int
+    face: int
+    block: int
+    distance: float
+    point: Floats
+    normal: Floats
+
+
+RAY_HIT = record_type(RayHit, _raw.hs_ray_hit)
+
+
+class ClosestPoints(Record):
+    """Closest points of two shapes.
+
+    Attributes
+    ----------
+    distance : float
+        m; 0 when hs_pair_detect() finds a contact with its default options
+    point_a : array, shape (3,)
+        point of a; when the shapes overlap, a common point of both
+    point_b : array, shape (3,)
+        point of b; when the shapes overlap, the same point, to rounding
+    normal : array, shape (3,)
+        unit vector from a to b; 0 when the distance is 0
+    """
+
+    distance: float
+    point_a: Floats
+    point_b: Floats
+    normal: Floats
+
+
+CLOSEST_POINTS = record_type(ClosestPoints, _raw.hs_closest_points)
+
+
 class Balance(Record):
     """Balance of forces of a world. Later versions may append to it.
 

@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import indices, mutable_view_of, vector, view_of
+from ._arrays import as_pose, indices, mutable_view_of, vector, view_of
 from ._library import library
 from ._record import empty_record
 from .context import Context, Handle, default_context, held
-from .records import CLEAN_REPORT, FAULT, FIT_REPORT, SHAPE_PROPERTIES, Fault, ShapeProperties
+from .records import CLEAN_REPORT, FAULT, FIT_REPORT, RAY_HIT, SHAPE_PROPERTIES, Fault, ShapeProperties
 
 
 class Shape(Handle):
-    """An immutable convex polygon (2D) or polyhedron (3D), for any number of blocks.
+    """A convex polygon (2D) or polyhedron (3D), for any number of blocks; only `set_vertices` changes it.
 
     Created by `polygon`, `polyhedron`, `hull`, `from_halfspaces`, `boundary`, `rectangle` or `box`. Faulty input is
     refused (`GeometryError`), and repaired only within a given tolerance. Arrays of float64 are not copied, also if
@@ -273,6 +273,59 @@ class Shape(Handle):
         view = mutable_view_of(normals, self.dimension, "normals")
         self._call(library.hs_shape_get_halfspaces, view, offsets.ctypes.data, None)
         return normals, offsets
+
+    def set_vertices(self, vertices: ArrayLike) -> None:
+        """Moves the vertices in place, for hosts whose bodies deform. Pair caches remain valid; worlds keep the copies
+        that they have. After an error the shape has not changed.
+
+        Parameters
+        ----------
+        vertices : array_like, shape (n, dimension)
+            As many as `vertices` has, in that order, m; in 2D also in the reverse order. In 3D faces must stay plane
+            to rounding, and convex.
+
+        Examples
+        --------
+        >>> body = Shape.rectangle(1, 1)
+        >>> body.set_vertices([(0, 0), (2, 0), (2, 1), (0, 1)])
+        >>> body.volume, body.centroid
+        (2.0, array([1. , 0.5]))
+        """
+        view = view_of(vertices, self.dimension, "vertices")
+        with held(self):
+            self._call(library.hs_shape_set_vertices, view)
+            self._properties = None
+
+    def cast_ray(
+        self, pose: ArrayLike, origin: ArrayLike, direction: ArrayLike, max_distance: float = 1e75
+    ) -> Any:
+        """Casts a ray at the shape at a pose. A ray that touches the shape to rounding hits it.
+
+        Parameters
+        ----------
+        pose : array_like
+            A position, or 7 numbers as from `pose`.
+        origin, direction : array_like
+            Start of the ray, m, and its direction, of any length except 0.
+        max_distance : float
+            Length of the ray, m.
+
+        Returns
+        -------
+        numpy.record or None
+            A record of `RAY_HIT`: `distance`, `point`, `normal` and `face` where the ray enters; None if it does not.
+
+        Examples
+        --------
+        >>> hit = Shape.rectangle(1, 1).cast_ray((3, 0), (0, 0.25), (1, 0))
+        >>> print(hit.distance, hit.face)
+        2.5 3
+        """
+        array, address = empty_record(RAY_HIT)
+        start, along = vector(origin, "origin"), vector(direction, "direction")
+        hit = _raw.hs_ray_hit.from_address(address)
+        self._call(library.hs_shape_cast_ray, as_pose(pose, "pose"), start, along, max_distance, hit)
+        return array[0] if hit.is_hit else None
 
     def cut(self, point: ArrayLike, normal: ArrayLike) -> Tuple[Optional["Shape"], Optional["Shape"]]:
         """Cuts the shape by a plane (2D: a line) into two shapes. The shape does not change.

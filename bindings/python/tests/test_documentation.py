@@ -8,13 +8,13 @@ import re
 import pytest
 
 import halfspace
-from halfspace import affine, context, generators, impact, law, pair, run, scene, shape, world
+from halfspace import affine, context, generators, impact, law, pair, query, run, scene, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
-MODULES = [affine, context, generators, impact, law, pair, run, scene, shape, world]
+MODULES = [affine, context, generators, impact, law, pair, query, run, scene, shape, world]
 
 
 @pytest.mark.parametrize("module", [halfspace, halfspace._arrays, *MODULES])

@@ -16,8 +16,8 @@
  *  - Definitions (hs_..._def, hs_pair_options) and reports (hs_shape_properties, hs_world_report) carry their
  *    size as the caller was compiled; later versions may append to them. The layout of all other structs is
  *    fixed within a soname.
- *  - Thread rule: a context and everything made from it must be used by one thread at a time. Different
- *    contexts share nothing and may be used concurrently.
+ *  - Thread rule: a context and everything made from it must be used by one thread at a time, except shapes
+ *    that no thread changes (shape.h). Different contexts share nothing and may be used concurrently.
  *  - The library computes in the default floating-point environment: it never triggers traps that the host
  *    has enabled (as Fortran programs do), is unaffected by the host's rounding mode and flush to zero, and
  *    leaves exception flags unchanged. Only hs_pair_detect() uses the host's rounding mode and flush to zero.
@@ -37,6 +37,7 @@
 #include "halfspace/mesh.h"
 #include "halfspace/pair.h"
 #include "halfspace/plan.h"
+#include "halfspace/query.h"
 #include "halfspace/relax.h"
 #include "halfspace/shape.h"
 #include "halfspace/status.h"

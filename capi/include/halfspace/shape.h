@@ -1,8 +1,14 @@
 /** @file
  *  @brief Convex shapes: validation, creation, cleaning, convex hull, cutting, mass properties, half-spaces.
  *
- *  A shape is immutable and may be used by any number of blocks. The origin of its frame is its centroid;
- *  hs_shape_properties.centroid is the centroid in the coordinates that the shape was made from.
+ *  A shape may be used by any number of blocks; only hs_shape_set_vertices() changes it. The origin of its
+ *  frame is its centroid; hs_shape_properties.centroid is the centroid in the coordinates that the shape was
+ *  made from, or last set.
+ *
+ *  Thread rule: several threads may use the same shapes at once in functions that take them as const, in this
+ *  header, pair.h, impact.h and query.h, while no other changes or destroys them and the allocator of their
+ *  context may be called by several threads, as the default one may. If several calls fail at once, the text
+ *  of the last error is that of one of them, or mixed.
  */
 #ifndef HALFSPACE_SHAPE_H
 #define HALFSPACE_SHAPE_H
@@ -18,7 +24,7 @@
 extern "C" {
 #endif
 
-/** Opaque, immutable convex polygon (2D) or polyhedron (3D). */
+/** Opaque convex polygon (2D) or polyhedron (3D). */
 typedef struct hs_shape hs_shape;
 
 /** Faults of the input of a shape. */
@@ -236,6 +242,16 @@ HS_CHECKED hs_status hs_polyhedron_create_from_halfspaces(hs_context *context, h
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (2D: a part is too small) or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_shape_cut(const hs_shape *shape, const double point[3], const double normal[3],
                                   hs_shape **behind, hs_shape **ahead);
+
+/** @brief Moves the vertices of a shape in place, for hosts whose bodies deform. The number of vertices and
+ *  the faces stay, so pair caches remain valid; worlds keep the copies that they have. The new centroid,
+ *  without rotation, is the pose at which the vertices are where they were given.
+ *  @param shape not NULL
+ *  @param vertices as many as hs_shape_get_vertices() returns, in that order, m; in 2D also in the reverse
+ *         order. In 3D faces must be plane to rounding, and all faces counter-clockwise seen from outside
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, vertex and face; the shape has
+ *         not changed), or HS_ERROR_OUT_OF_MEMORY (only large shapes need memory) */
+HS_CHECKED hs_status hs_shape_set_vertices(hs_shape *shape, hs_view vertices);
 
 /** @brief Returns geometry and mass properties of a shape.
  *  @param shape not NULL

@@ -8,13 +8,10 @@
 namespace halfspace {
 
 Shape<2>::Shape(std::span<const Vector<2>> vertices, Memory* memory)
-    : count_(int(vertices.size())), components_(memory) {
+    : count_(int(vertices.size())), components_(std::size_t(5 * Outline<2>::padded(count_)), memory) {
+  point_outline();
   Array<Vector<2>> ordered(vertices.begin(), vertices.end(), memory);
-  if (is_clockwise(ordered)) std::reverse(ordered.begin(), ordered.end());
-  measure(ordered);
-  store(ordered);
-  measure_thickness();
-  fingerprint_ = fingerprint_of(outline_);
+  set_vertices(ordered);
 }
 
 Shape<2>::Shape(const Shape& other, Memory* memory)
@@ -26,11 +23,20 @@ Shape<2>::Shape(const Shape& other, Memory* memory)
   point_outline();
 }
 
+void Shape<2>::set_vertices(std::span<Vector<2>> vertices) {
+  if (is_clockwise(vertices)) std::reverse(vertices.begin(), vertices.end());
+  measure(vertices);
+  store(vertices);
+  measure_thickness();
+  fingerprint_ = fingerprint_of(outline_);
+}
+
 /// Moments by triangles from the first vertex. Coordinates are differences, so that the distance from the
 /// origin costs no accuracy, and all areas are positive, so that there is no cancellation.
 void Shape<2>::measure(std::span<const Vector<2>> vertices) {
   const Vector<2>& origin = vertices[0];
   Vector<2> first_moment = Vector<2>::Zero();
+  area_ = 0;
   for (int i = 1; i + 1 < count_; ++i) {
     const Vector<2> p = vertices[std::size_t(i)] - origin;
     const Vector<2> q = vertices[std::size_t(i) + 1] - origin;
@@ -41,6 +47,7 @@ void Shape<2>::measure(std::span<const Vector<2>> vertices) {
   const Vector<2> to_centroid = first_moment / area_;
   centroid_ = origin + to_centroid;
 
+  second_moment_.setZero();
   for (int i = 1; i + 1 < count_; ++i) {
     // Triangle with corners a, b, c about the centroid: A/12 ((a+b+c)(a+b+c)^T + aa^T + bb^T + cc^T).
     const Vector<2> a = -to_centroid;
@@ -57,15 +64,14 @@ void Shape<2>::measure(std::span<const Vector<2>> vertices) {
 
 void Shape<2>::store(std::span<const Vector<2>> vertices) {
   const int stride = Outline<2>::padded(count_);
-  components_.resize(std::size_t(5 * stride));
   double* x = components_.data();
   double* y = x + stride;
   double* nx = y + stride;
   double* ny = nx + stride;
   double* offset = ny + stride;
-  point_outline();
 
   shortest_edge_ = HUGE_VAL;
+  longest_edge_ = bounding_radius_ = 0;
   for (int i = 0; i < count_; ++i) {
     const Vector<2>& here = vertices[std::size_t(i)];
     const Vector<2> edge = vertices[std::size_t(i + 1 == count_ ? 0 : i + 1)] - here;

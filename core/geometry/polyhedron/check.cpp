@@ -160,6 +160,13 @@ PolyhedronFault fit_normals(Polyhedron& p) {
   return {};
 }
 
+/// The last part of complete_polyhedron(), for loops that are counter-clockwise.
+PolyhedronFault complete_faces(Polyhedron& p) {
+  if (const PolyhedronFault r = fit_normals(p); r.fault != Fault::none) return r;
+  if (const PolyhedronFault r = first_misplaced(p); r.fault != Fault::none) return r;
+  return first_split_face(p);
+}
+
 }  // namespace
 
 double flatness_tolerance(double reach) { return 256 * epsilon * reach; }
@@ -182,9 +189,13 @@ PolyhedronFault check_polyhedron(const Polyhedron& polyhedron) {
 PolyhedronFault complete_polyhedron(Polyhedron& polyhedron) {
   if (const PolyhedronFault r = check_vertices_and_surface(polyhedron); r.fault != Fault::none) return r;
   turn_outward(polyhedron);
-  if (const PolyhedronFault r = fit_normals(polyhedron); r.fault != Fault::none) return r;
-  if (const PolyhedronFault r = first_misplaced(polyhedron); r.fault != Fault::none) return r;
-  return first_split_face(polyhedron);
+  return complete_faces(polyhedron);
+}
+
+PolyhedronFault complete_moved_polyhedron(Polyhedron& polyhedron) {
+  if (const PolyhedronFault r = check_points(polyhedron.vertices); r.fault != Fault::none) return r;
+  if (const PolyhedronFault r = first_coinciding(polyhedron); r.fault != Fault::none) return r;
+  return complete_faces(polyhedron);
 }
 
 }  // namespace halfspace

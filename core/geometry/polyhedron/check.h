@@ -35,4 +35,8 @@ PolyhedronFault check_polyhedron(const Polyhedron& polyhedron);
 /// coplanar faces. If all loops are clockwise, all are reversed.
 PolyhedronFault complete_polyhedron(Polyhedron& polyhedron);
 
+/// The same for the loops of an existing shape whose vertices have moved. A mirrored one has vertices outside
+/// its faces.
+PolyhedronFault complete_moved_polyhedron(Polyhedron& polyhedron);
+
 }  // namespace halfspace

@@ -40,10 +40,19 @@ void for_each_tetrahedron(const Polyhedron& polyhedron, Visit visit) {
 }  // namespace
 
 Shape<3>::Shape(const Polyhedron& polyhedron, Memory* memory)
-    : topology_(polyhedron, memory), components_(memory) {
+    : topology_(polyhedron, memory),
+      components_(std::size_t(3 * Outline<3>::padded(vertex_count()) + 4 * Outline<3>::padded(face_count())),
+                  memory) {
+  set_polyhedron(polyhedron);
+  if (vertex_count() > few_vertices) outline_.gauss_map = &gauss_map_.emplace(outline_, memory);
+}
+
+/// A Gauss map of the former vertices is of no use; a new one would cost more than most searches until the
+/// next motion, which walk instead.
+void Shape<3>::set_polyhedron(const Polyhedron& polyhedron) {
+  gauss_map_.reset();
   measure(polyhedron);
   store(polyhedron);
-  if (vertex_count() > few_vertices) outline_.gauss_map = &gauss_map_.emplace(outline_, memory);
   measure_edges();
   measure_faces();
   measure_thickness();
@@ -65,6 +74,7 @@ void Shape<3>::measure(const Polyhedron& polyhedron) {
   const Vector<3> to_centroid = weighted_corners / (4 * weights);
   centroid_ = polyhedron.vertices[0] + to_centroid;
 
+  second_moment_.setZero();
   for_each_tetrahedron(
       polyhedron, [&](double weight, const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
         // Corners p about the centroid, s their sum: V/20 (s s^T + sum of p p^T).
@@ -86,7 +96,6 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
   const int faces = face_count();
   const int vertex_stride = Outline<3>::padded(vertices);
   const int face_stride = Outline<3>::padded(faces);
-  components_.resize(std::size_t(3 * vertex_stride + 4 * face_stride));
   double* x = components_.data();
   double* y = x + vertex_stride;
   double* z = y + vertex_stride;
@@ -96,6 +105,7 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
   double* offset = nz + face_stride;
   outline_ = {&topology_.view(), x, y, z, nx, ny, nz, offset, nullptr};
 
+  bounding_radius_ = 0;
   for (int i = 0; i < vertex_stride; ++i) {
     // Relative to the rounded centroid: the difference of close numbers is exact, so that adjacent shapes
     // remain adjacent anywhere.
@@ -126,6 +136,7 @@ void Shape<3>::store(const Polyhedron& polyhedron) {
 void Shape<3>::measure_edges() {
   const Topology& t = topology();
   shortest_edge_ = HUGE_VAL;
+  longest_edge_ = 0;
   for (int e = 0; e < t.edge_count; ++e) {
     const Vector<3> edge = outline_.vertex(t.edge_end[e]) - outline_.vertex(t.edge_start[e]);
     const double length = edge.stableNorm();
@@ -136,6 +147,7 @@ void Shape<3>::measure_edges() {
 
 void Shape<3>::measure_faces() {
   const Topology& t = topology();
+  largest_face_ = 0;
   for (int f = 0; f < t.face_count; ++f) {
     const std::int32_t* const loop = t.face_vertex + t.first_of_face[f];
     const int corners = t.first_of_face[f + 1] - t.first_of_face[f];

@@ -284,7 +284,7 @@ pub struct hs_task {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Opaque, immutable convex polygon (2D) or polyhedron (3D).
+/// Opaque convex polygon (2D) or polyhedron (3D).
 #[repr(C)]
 pub struct hs_shape {
     _opaque: [u8; 0],
@@ -1226,6 +1226,40 @@ pub struct hs_world_plan {
 }
 const _: () = assert!(std::mem::size_of::<hs_world_plan>() == 256);
 
+/// First point of a ray in a shape or in a world.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_ray_hit {
+    /// 1: the ray meets a shape within its length; 0: all other fields are 0, face is -1
+    pub is_hit: i32,
+    /// index of the face (2D: edge) that the ray enters through; -1: it starts inside
+    pub face: i32,
+    /// id, in a world; else 0
+    pub block: hs_block,
+    /// from the origin of the ray, m; 0 if it starts inside or on the boundary
+    pub distance: f64,
+    /// where it enters; its origin if it starts inside
+    pub point: [f64; 3],
+    /// outer unit normal of the face; 0 if it starts inside
+    pub normal: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_ray_hit>() == 72);
+
+/// Closest points of two shapes.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_closest_points {
+    /// m; 0 when hs_pair_detect() finds a contact with its default options
+    pub distance: f64,
+    /// point of a; when the shapes overlap, a common point of both
+    pub point_a: [f64; 3],
+    /// point of b; when the shapes overlap, the same point, to rounding
+    pub point_b: [f64; 3],
+    /// unit vector from a to b; 0 when the distance is 0
+    pub normal: [f64; 3],
+}
+const _: () = assert!(std::mem::size_of::<hs_closest_points>() == 80);
+
 /// Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -1597,6 +1631,18 @@ extern "C" {
         behind: *mut *mut hs_shape,
         ahead: *mut *mut hs_shape,
     ) -> hs_status;
+
+    /// Moves the vertices of a shape in place, for hosts whose bodies deform. The number of vertices and the
+    /// faces stay, so pair caches remain valid; worlds keep the copies that they have. The new centroid,
+    /// without rotation, is the pose at which the vertices are where they were given.
+    ///
+    /// - `shape`: not NULL
+    /// - `vertices`: as many as hs_shape_get_vertices() returns, in that order, m; in 2D also in the reverse
+    ///   order. In 3D faces must be plane to rounding, and all faces counter-clockwise seen from outside
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY (the text names fault, vertex and face; the shape
+    /// has not changed), or HS_ERROR_OUT_OF_MEMORY (only large shapes need memory)
+    pub fn hs_shape_set_vertices(shape: *mut hs_shape, vertices: hs_view) -> hs_status;
 
     /// Returns geometry and mass properties of a shape.
     ///
@@ -2836,6 +2882,80 @@ extern "C" {
         steps: i64,
         plan: *mut hs_world_plan,
         size: usize,
+    ) -> hs_status;
+
+    /// Casts a ray at a shape. A ray that touches the shape to rounding hits it.
+    ///
+    /// - `shape`: not NULL
+    /// - `pose`: of the shape
+    /// - `origin`: start of the ray, 3 values, m
+    /// - `direction`: 3 values, of any length except 0
+    /// - `max_distance`: length of the ray, m, from 0 to 1e75
+    /// - `hit`: receives the point where the ray enters, or that there is none
+    ///
+    /// Returns HS_OK (also without a hit) or HS_ERROR_ARGUMENT
+    pub fn hs_shape_cast_ray(
+        shape: *const hs_shape,
+        pose: *const hs_pose,
+        origin: *const [f64; 3],
+        direction: *const [f64; 3],
+        max_distance: f64,
+        hit: *mut hs_ray_hit,
+    ) -> hs_status;
+
+    /// Casts a ray into a world. All blocks are tested: fixed ones, parts of compounds, and cells at the
+    /// surfaces of meshes. At equal distances the block added first is hit.
+    ///
+    /// - `world`: not NULL
+    /// - `origin`, `direction`, `max_distance`: as for hs_shape_cast_ray()
+    /// - `hit`: receives the first block on the ray, or that there is none
+    ///
+    /// Returns HS_OK (also without a hit) or HS_ERROR_ARGUMENT
+    pub fn hs_world_cast_ray(
+        world: *const hs_world,
+        origin: *const [f64; 3],
+        direction: *const [f64; 3],
+        max_distance: f64,
+        hit: *mut hs_ray_hit,
+    ) -> hs_status;
+
+    /// Finds the closest points of two shapes, by GJK. Shapes with parallel faces may have many; one pair is
+    /// returned. The depth of an overlap is the gap of hs_pair_detect().
+    ///
+    /// - `shape_a`, `shape_b`: the shapes, of the same dimension; may be the same shape
+    /// - `pose_a`, `pose_b`: their poses
+    /// - `points`: receives distance, points and normal
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, or HS_ERROR_OUT_OF_MEMORY (polygons of more than 32 vertices)
+    pub fn hs_pair_distance(
+        shape_a: *const hs_shape,
+        pose_a: *const hs_pose,
+        shape_b: *const hs_shape,
+        pose_b: *const hs_pose,
+        points: *mut hs_closest_points,
+    ) -> hs_status;
+
+    /// Broad phase alone: finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in
+    /// boxes and pairs. Boxes that touch overlap.
+    ///
+    /// - `context`: allocates temporary memory and keeps the error text
+    /// - `dimension`: 2 or 3
+    /// - `lower`: lower corners of the boxes, m, at most 2^30
+    /// - `upper`: upper corners, as many; no component is below that of the lower corner
+    /// - `pairs`: receives the indices a < b of each pair, 2 * capacity values, in an order that depends on
+    ///   the boxes only; may be NULL if capacity is 0
+    /// - `capacity`: in pairs
+    /// - `count`: receives the number of pairs; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_boxes_find_pairs(
+        context: *mut hs_context,
+        dimension: i32,
+        lower: hs_view,
+        upper: hs_view,
+        pairs: *mut i32,
+        capacity: i64,
+        count: *mut i64,
     ) -> hs_status;
 
     /// Fills a relaxation definition with its defaults.

@@ -2,10 +2,13 @@
 
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::CStr;
+use std::marker::PhantomData;
 use std::mem::{size_of, MaybeUninit};
-use std::os::raw::c_void;
+use std::os::raw::{c_char, c_void};
 use std::ptr::{self, NonNull};
 use std::rc::Rc;
+use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::Arc;
 
 use halfspace_sys as sys;
 
@@ -15,8 +18,9 @@ use crate::Result;
 /// Context of shapes, meshes and worlds. It lives as long as anything made from it; a clone is
 /// another handle to the same context.
 ///
-/// A context and everything made from it must be used by one thread at a time, so neither is
-/// [`Send`] or [`Sync`]; a [`Family`](crate::Family) moves them to another thread.
+/// A context, its meshes and its worlds must be used by one thread at a time, so none of them is
+/// [`Send`] or [`Sync`]; a [`Family`](crate::Family) moves them to another thread. Its
+/// [shapes](crate::Shape) are both.
 ///
 /// ```compile_fail,E0277
 /// fn needs_send<T: Send>() {}
@@ -28,7 +32,8 @@ use crate::Result;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Context {
-    owner: Rc<Owner>,
+    owner: Arc<Owner>,
+    of_one_thread: PhantomData<Rc<()>>,
 }
 
 impl Context {
@@ -73,19 +78,21 @@ impl Context {
         let status = unsafe { sys::hs_context_create(def, &mut handle) };
         match NonNull::new(handle) {
             Some(handle) => Ok(Self {
-                owner: Rc::new(Owner(handle)),
+                owner: Arc::new(Owner(handle)),
+                of_one_thread: PhantomData,
             }),
             None => Err(Error::new(ErrorKind::from_value(status), "")),
         }
     }
 
-    pub(crate) fn of(owner: &Rc<Owner>) -> Self {
+    pub(crate) fn of(owner: &Arc<Owner>) -> Self {
         Self {
-            owner: Rc::clone(owner),
+            owner: Arc::clone(owner),
+            of_one_thread: PhantomData,
         }
     }
 
-    pub(crate) fn owner(&self) -> &Rc<Owner> {
+    pub(crate) fn owner(&self) -> &Arc<Owner> {
         &self.owner
     }
 
@@ -98,6 +105,13 @@ impl Context {
 /// families, which is not visible outside the crate.
 #[derive(Debug)]
 pub struct Owner(NonNull<sys::hs_context>);
+
+// SAFETY: it only reads the text of the last error, byte by byte and atomically, as shapes of other
+// threads may fail and write it so, and destroys the context when nothing made from it is left.
+// The allocators of a context may be called from any thread.
+unsafe impl Send for Owner {}
+// SAFETY: likewise.
+unsafe impl Sync for Owner {}
 
 impl Owner {
     /// Converts the status of a call to a result; notes are no errors.
@@ -120,12 +134,23 @@ impl Owner {
 
     #[cold]
     fn last_error(&self, status: sys::hs_status) -> Error {
-        // SAFETY: the context lives, and its text stays until the next failing call.
-        let text = unsafe { CStr::from_ptr(sys::hs_context_last_error(self.0.as_ptr())) };
-        Error::new(
-            ErrorKind::from_value(status),
-            text.to_str().unwrap_or_default(),
-        )
+        // SAFETY: the context lives, and so does its text, which ends with 0.
+        let text = unsafe { read_atomically(sys::hs_context_last_error(self.0.as_ptr())) };
+        Error::new(ErrorKind::from_value(status), &text)
+    }
+}
+
+/// # Safety
+/// The text lives and ends with 0; only atomic writes may change it.
+unsafe fn read_atomically(text: *const c_char) -> String {
+    let mut bytes = Vec::new();
+    loop {
+        // SAFETY: the text has not ended, and an atomic byte has the layout of a byte.
+        let byte = unsafe { &*text.add(bytes.len()).cast::<AtomicU8>() };
+        match byte.load(Ordering::Relaxed) {
+            0 => return String::from_utf8_lossy(&bytes).into_owned(),
+            byte => bytes.push(byte),
+        }
     }
 }
 

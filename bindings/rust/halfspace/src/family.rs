@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use crate::context::{Context, Owner};
 use crate::mesh::Mesh;
@@ -59,8 +59,8 @@ impl<T: Members> Family<T> {
     pub fn gather(members: T) -> Result<Self, T> {
         let mut seen = BTreeMap::<*const Owner, (usize, usize)>::new();
         members.visit(&mut |owner| {
-            seen.entry(Rc::as_ptr(owner))
-                .or_insert((0, Rc::strong_count(owner)))
+            seen.entry(Arc::as_ptr(owner))
+                .or_insert((0, Arc::strong_count(owner)))
                 .0 += 1;
         });
         if seen
@@ -92,59 +92,59 @@ pub trait Members: sealed::Members {}
 impl<T: sealed::Members> Members for T {}
 
 mod sealed {
-    use super::{Owner, Rc};
+    use super::{Arc, Owner};
 
     /// For types that hold only handles; `visit` must visit all of them.
     pub trait Members {
-        fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>));
+        fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>));
     }
 }
 
 impl sealed::Members for Context {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         visitor(self.owner());
     }
 }
 
 impl sealed::Members for Shape {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         visitor(self.owner());
     }
 }
 
 impl sealed::Members for Mesh {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         visitor(self.owner());
     }
 }
 
 impl sealed::Members for World {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         visitor(self.owner());
     }
 }
 
 impl<T: sealed::Members> sealed::Members for Vec<T> {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         self.iter().for_each(|member| member.visit(visitor));
     }
 }
 
 impl<T: sealed::Members> sealed::Members for Option<T> {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         self.iter().for_each(|member| member.visit(visitor));
     }
 }
 
 impl<A: sealed::Members, B: sealed::Members> sealed::Members for (A, B) {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         self.0.visit(visitor);
         self.1.visit(visitor);
     }
 }
 
 impl<A: sealed::Members, B: sealed::Members, C: sealed::Members> sealed::Members for (A, B, C) {
-    fn visit(&self, visitor: &mut dyn FnMut(&Rc<Owner>)) {
+    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
         self.0.visit(visitor);
         self.1.visit(visitor);
         self.2.visit(visitor);

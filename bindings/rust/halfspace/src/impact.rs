@@ -86,7 +86,7 @@ pub fn time_of_impact(
     duration: f64,
 ) -> Result<Impact> {
     let mut impact = Impact::default();
-    // SAFETY: the shapes live and are of this thread, all else are references.
+    // SAFETY: the shapes live and nobody changes them, all else are references.
     let status = unsafe {
         sys::hs_pair_time_of_impact(
             a.handle(),

@@ -98,15 +98,15 @@
 //! function, argument, value. A failed call has changed nothing.
 //!
 //! # Threads
-//! A context and everything made from it must be used by one thread at a time; different contexts
-//! share nothing. So [`Context`], [`Shape`], [`Mesh`] and [`World`] are neither [`Send`] nor
-//! [`Sync`]. Make a context in every thread, or move a context to another thread with everything
-//! made from it, as a [`Family`].
+//! Shapes are [`Send`] and [`Sync`]: several threads may detect contacts of the same shapes. A
+//! context, its meshes and its worlds must be used by one thread at a time; different contexts share
+//! nothing. So [`Context`], [`Mesh`] and [`World`] are neither. Make a context in every thread, or
+//! move a context to another thread with everything made from it, as a [`Family`].
 //!
-//! ```compile_fail,E0277
+//! ```
 //! # let context = halfspace::Context::new().unwrap();
 //! let shape = halfspace::Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).unwrap();
-//! std::thread::spawn(move || shape.properties()); // its context stays behind
+//! std::thread::spawn(move || shape.properties()); // the context stays here
 //! ```
 //! ```compile_fail,E0277
 //! # let context = halfspace::Context::new().unwrap();
@@ -136,6 +136,7 @@ mod mutable_view;
 mod pair;
 mod placed;
 mod pose;
+mod query;
 mod records;
 mod relax;
 mod shape;
@@ -164,6 +165,7 @@ pub use mutable_view::ViewMut;
 pub use pair::{detect, Bodies, Detector, PairCache};
 pub use placed::Placed;
 pub use pose::Pose;
+pub use query::{closest_points, find_box_pairs};
 pub use records::*;
 pub use relax::{Relaxation, Relaxed};
 pub use shape::{Cut, HalfSpace, Shape};

@@ -2,7 +2,7 @@
 
 use std::mem::size_of;
 use std::ptr::{self, NonNull};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use halfspace_sys as sys;
 
@@ -70,7 +70,7 @@ impl Cell {
 #[derive(Debug)]
 pub struct Mesh {
     handle: NonNull<sys::hs_mesh>,
-    owner: Rc<Owner>,
+    owner: Arc<Owner>,
     properties: MeshProperties,
 }
 
@@ -133,7 +133,7 @@ impl Mesh {
         let mut mesh = Self {
             handle: NonNull::new(handle)
                 .ok_or_else(|| Error::argument("the library returned no mesh"))?,
-            owner: Rc::clone(context.owner()),
+            owner: Arc::clone(context.owner()),
             properties: MeshProperties::default(),
         };
         mesh.properties = mesh.get_properties()?;
@@ -154,7 +154,7 @@ impl Mesh {
         self.handle.as_ptr()
     }
 
-    pub(crate) fn owner(&self) -> &Rc<Owner> {
+    pub(crate) fn owner(&self) -> &Arc<Owner> {
         &self.owner
     }
 }

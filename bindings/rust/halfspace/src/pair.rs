@@ -209,7 +209,7 @@ impl Detector {
         cache: *mut sys::hs_pair_cache,
         contact: &mut Contact,
     ) -> Result<()> {
-        // SAFETY: the shapes live and are of this thread, the cache is NULL or valid, all else are
+        // SAFETY: the shapes live and nobody changes them, the cache is NULL or valid, all else are
         // references.
         let status = unsafe {
             sys::hs_pair_detect(
@@ -261,6 +261,11 @@ pub struct Bodies<'a> {
     handles: Vec<*const sys::hs_shape>,
     borrowed: PhantomData<&'a Shape>,
 }
+
+// SAFETY: it is a list of shared references to shapes, which are Sync.
+unsafe impl Send for Bodies<'_> {}
+// SAFETY: likewise.
+unsafe impl Sync for Bodies<'_> {}
 
 impl Bodies<'_> {
     /// Number of bodies.

@@ -816,6 +816,59 @@ impl From<sys::hs_world_plan> for Plan {
     }
 }
 
+/// First point of a ray in a shape or in a world.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct RayHit {
+    /// index of the face (2D: edge) that the ray enters through; `None`: it starts inside
+    pub face: Option<usize>,
+    /// id, in a world; else 0
+    pub block: Option<Block>,
+    /// from the origin of the ray, m; 0 if it starts inside or on the boundary
+    pub distance: f64,
+    /// where it enters; its origin if it starts inside
+    pub point: [f64; 3],
+    /// outer unit normal of the face; 0 if it starts inside
+    pub normal: [f64; 3],
+}
+
+impl From<sys::hs_ray_hit> for RayHit {
+    fn from(raw: sys::hs_ray_hit) -> Self {
+        Self {
+            face: usize::try_from(raw.face).ok(),
+            block: Block::from_raw(raw.block),
+            distance: raw.distance,
+            point: raw.point,
+            normal: raw.normal,
+        }
+    }
+}
+
+/// Closest points of two shapes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ClosestPoints {
+    /// m; 0 when hs_pair_detect() finds a contact with its default options
+    pub distance: f64,
+    /// point of a; when the shapes overlap, a common point of both
+    pub point_a: [f64; 3],
+    /// point of b; when the shapes overlap, the same point, to rounding
+    pub point_b: [f64; 3],
+    /// unit vector from a to b; 0 when the distance is 0
+    pub normal: [f64; 3],
+}
+
+impl From<sys::hs_closest_points> for ClosestPoints {
+    fn from(raw: sys::hs_closest_points) -> Self {
+        Self {
+            distance: raw.distance,
+            point_a: raw.point_a,
+            point_b: raw.point_b,
+            normal: raw.normal,
+        }
+    }
+}
+
 /// Balance of forces of a world. Later versions may append to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]

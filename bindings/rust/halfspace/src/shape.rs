@@ -2,7 +2,7 @@
 
 use std::mem::size_of;
 use std::ptr::{self, NonNull};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use halfspace_sys as sys;
 
@@ -14,17 +14,44 @@ use crate::shape_input::FaceLists;
 use crate::view::View;
 use crate::Result;
 
-/// A convex polygon (2D) or polyhedron (3D). It is immutable and may be used by any number of
-/// blocks.
+/// A convex polygon (2D) or polyhedron (3D). It may be used by any number of blocks; only
+/// [`Shape::set_vertices`] changes it.
 ///
 /// The origin of its frame is its centroid; [`ShapeProperties::centroid`] is the centroid in the
 /// coordinates that the shape was made from. Faulty input is refused, not repaired. Short edges and
 /// small angles are allowed.
+///
+/// Several threads may use one shape at once, and any thread may own it:
+///
+/// ```
+/// use halfspace::{closest_points, Context, Pose, Shape};
+///
+/// let context = Context::new()?;
+/// let square = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+/// let distance = |x| {
+///     let (here, there) = (Pose::default(), Pose::at([x, 0.0, 0.0]));
+///     closest_points(square.at(&here), square.at(&there)).map(|closest| closest.distance)
+/// };
+/// std::thread::scope(|scope| {
+///     let others = [2.0, 3.0].map(|x| scope.spawn(move || distance(x)));
+///     let found = others.map(|other| other.join().unwrap());
+///     assert_eq!(found, [Ok(1.0), Ok(2.0)]);
+/// });
+/// # Ok::<(), halfspace::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Shape {
     handle: NonNull<sys::hs_shape>,
-    owner: Rc<Owner>,
+    owner: Arc<Owner>,
 }
+
+// SAFETY: it is the only owner of its handle, and the thread rule of shape.h allows that a shape is
+// destroyed while other threads use its context: they share only the text of the last error, which
+// is written atomically, and the allocator, which any thread may call.
+unsafe impl Send for Shape {}
+// SAFETY: by the same rule, functions that do not change a shape may be called by several threads at
+// once. Only `set_vertices` changes it, by an exclusive reference. No method returns the context.
+unsafe impl Sync for Shape {}
 
 /// A half-space: a point p is inside if `dot(normal, p) <= offset`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -213,13 +240,34 @@ impl Shape {
         let part = |handle| {
             NonNull::new(handle).map(|handle| Self {
                 handle,
-                owner: Rc::clone(&self.owner),
+                owner: Arc::clone(&self.owner),
             })
         };
         Ok(Cut {
             behind: part(behind),
             ahead: part(ahead),
         })
+    }
+
+    /// Moves the vertices in place, for hosts whose bodies deform: as many as [`Shape::vertices`]
+    /// returns, in that order, in 2D also in the reverse order. In 3D faces must stay plane to
+    /// rounding, and convex. Pair caches remain valid; worlds keep the copies that they have. After
+    /// an error the shape has not changed.
+    ///
+    /// ```
+    /// use halfspace::{Context, Shape};
+    ///
+    /// let context = Context::new()?;
+    /// let mut body = Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+    /// body.set_vertices(&[[0.0, 0.0], [1.0, 0.0], [1.5, 1.0], [0.5, 1.0]])?;
+    /// assert_eq!(body.properties().centroid, [0.75, 0.5, 0.0]);
+    /// # Ok::<(), halfspace::Error>(())
+    /// ```
+    pub fn set_vertices<'a>(&mut self, vertices: impl Into<View<'a>>) -> Result<()> {
+        let vertices = vertices.into().raw();
+        // SAFETY: the shape lives and is borrowed exclusively; the view borrows what it says.
+        self.owner
+            .check(unsafe { sys::hs_shape_set_vertices(self.handle.as_ptr(), vertices) })
     }
 
     /// Returns geometry and mass properties.
@@ -311,11 +359,6 @@ impl Shape {
         halfspaces
     }
 
-    /// The context of the shape.
-    pub fn context(&self) -> Context {
-        Context::of(&self.owner)
-    }
-
     fn make(
         context: &Context,
         create: impl FnOnce(*mut *mut sys::hs_shape) -> sys::hs_status,
@@ -327,7 +370,7 @@ impl Shape {
             NonNull::new(handle).ok_or_else(|| Error::argument("the library returned no shape"))?;
         Ok(Self {
             handle,
-            owner: Rc::clone(context.owner()),
+            owner: Arc::clone(context.owner()),
         })
     }
 
@@ -337,7 +380,7 @@ impl Shape {
     }
 
     #[inline]
-    pub(crate) fn owner(&self) -> &Rc<Owner> {
+    pub(crate) fn owner(&self) -> &Arc<Owner> {
         &self.owner
     }
 }

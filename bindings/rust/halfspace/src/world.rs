@@ -3,7 +3,7 @@
 use std::mem::{size_of, MaybeUninit};
 use std::os::raw::c_void;
 use std::ptr::{self, NonNull};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use halfspace_sys as sys;
 
@@ -78,7 +78,7 @@ impl Default for WorldDef {
 #[derive(Debug)]
 pub struct World {
     handle: NonNull<sys::hs_world>,
-    owner: Rc<Owner>,
+    owner: Arc<Owner>,
     /// Cached, so that checks of array lengths are cheap.
     pub(crate) block_count: usize,
 }
@@ -216,10 +216,10 @@ impl World {
     ///
     /// # Safety
     /// The handle is NULL, or of a world of that context which nothing else owns.
-    pub(crate) unsafe fn own(owner: &Rc<Owner>, handle: *mut sys::hs_world) -> Option<Self> {
+    pub(crate) unsafe fn own(owner: &Arc<Owner>, handle: *mut sys::hs_world) -> Option<Self> {
         let mut world = Self {
             handle: NonNull::new(handle)?,
-            owner: Rc::clone(owner),
+            owner: Arc::clone(owner),
             block_count: 0,
         };
         world.recount_blocks();
@@ -240,7 +240,7 @@ impl World {
         self.handle.as_ptr()
     }
 
-    pub(crate) fn owner(&self) -> &Rc<Owner> {
+    pub(crate) fn owner(&self) -> &Arc<Owner> {
         &self.owner
     }
 }

@@ -4,8 +4,8 @@
 use std::thread;
 
 use halfspace::{
-    BlockDef, Contact, Context, Detector, Error, Family, Law, Material, Mesh, PairCache, Pose,
-    Shape, View, ViewMut, World, WorldDef,
+    closest_points, detect, BlockDef, Bodies, Contact, Context, Detector, Error, ErrorKind, Family,
+    Law, Material, Mesh, PairCache, Placed, Pose, Shape, View, ViewMut, World, WorldDef,
 };
 
 /// A square falls onto another and slides off.
@@ -106,9 +106,67 @@ fn a_family_may_be_of_several_contexts() {
 fn a_context_outlives_its_handle() {
     let world = scene(&Context::new().unwrap());
     let square = Shape::polygon(&world.context(), &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).unwrap();
-    let context = square.context();
     drop(world);
-    assert!(Shape::polygon(&context, &[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]).is_err());
+    assert!(square.cut([0.0; 3], [0.0; 3]).is_err());
+}
+
+#[test]
+fn threads_share_shapes_whatever_fails() {
+    let context = Context::new().unwrap();
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let square = Shape::polygon(&context, &corners).unwrap();
+    let other = Shape::polygon(&Context::new().unwrap(), &corners).unwrap();
+    let bodies = Bodies::from_iter([&square, &other]);
+    thread::scope(|scope| {
+        for number in 1..5 {
+            let (square, other, bodies) = (&square, &other, &bodies);
+            scope.spawn(move || {
+                let x = 1.0 + f64::from(number);
+                let (here, there) = (Pose::default(), Pose::at([x, 0.0, 0.0]));
+                for _ in 0..100 {
+                    let (a, b) = (square.at(&here), other.at(&there));
+                    assert_eq!(closest_points(a, b).unwrap().distance, x - 1.0);
+                    assert_eq!(detect(a, b).unwrap().gap(), x - 1.0);
+                    let hit = b.cast_ray([0.5, 0.0, 0.0], [1.0, 0.0, 0.0], 100.0).unwrap();
+                    assert_eq!(hit.unwrap().distance, x - 1.0);
+                    let error = a.cast_ray([0.5, 0.0, 0.0], [0.0; 3], x).unwrap_err();
+                    assert_eq!(error.kind(), ErrorKind::Argument);
+                    let parts = square.cut([0.5, 0.5, 0.0], [x, 1.0, 0.0]).unwrap();
+                    assert!(parts.behind.is_some() && parts.ahead.is_some());
+                }
+                // A context of this thread, and shapes of others.
+                let mine = Context::new().unwrap();
+                let mut contacts = [Contact::default()];
+                let touching = Detector::default()
+                    .detect_pairs(
+                        &mine,
+                        bodies,
+                        &[here, there],
+                        &[[0, 1]],
+                        &mut [],
+                        &mut contacts,
+                    )
+                    .unwrap();
+                assert_eq!((touching, contacts[0].gap()), (0, x - 1.0));
+            });
+        }
+    });
+}
+
+#[test]
+fn a_shape_outlives_its_context_elsewhere() {
+    let square = Shape::polygon(
+        &Context::new().unwrap(),
+        &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+    );
+    let mut square = square.unwrap();
+    let vertices = thread::spawn(move || {
+        square
+            .set_vertices(&[[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
+            .unwrap();
+        square.vertices()
+    });
+    assert_eq!(vertices.join().unwrap()[1], [2.0, 0.0, 0.0]);
 }
 
 #[test]
@@ -126,6 +184,7 @@ fn what_is_no_handle_is_free_to_go() {
         BlockDef,
     )>();
     free::<(View, ViewMut)>();
+    free::<(Shape, Bodies, Placed)>();
     fn may_go<T: Send>() {}
     may_go::<Family<(Context, Vec<Shape>, World)>>();
     may_go::<Family<(Mesh, World)>>();

@@ -1,0 +1,116 @@
+"""Queries without contact: closest points, rays into worlds, and pairs of overlapping boxes."""
+import ctypes
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _raw
+from ._arrays import as_pose, vector, view_of
+from ._library import library
+from ._record import empty_record
+from .context import Context, default_context, held
+from .records import CLOSEST_POINTS, RAY_HIT
+from .relax import Statics
+from .shape import Shape
+
+
+def pair_distance(shape_a: Shape, pose_a: ArrayLike, shape_b: Shape, pose_b: ArrayLike) -> Any:
+    """Finds the closest points of two shapes, by GJK. Shapes with parallel faces may have many; one pair is returned.
+
+    Parameters
+    ----------
+    shape_a, shape_b : Shape
+        Of the same dimension; may be the same shape.
+    pose_a, pose_b : array_like
+        Their poses: a position, or 7 numbers as from `pose`.
+
+    Returns
+    -------
+    numpy.record
+        A record of `CLOSEST_POINTS`: `distance`, `point_a`, `point_b`, and the unit `normal` from a to b. The distance
+        of shapes in contact is 0; the depth of an overlap is the gap of `pair_detect`.
+
+    Examples
+    --------
+    >>> square = Shape.rectangle(1, 1)
+    >>> closest = pair_distance(square, (0, 0), square, (4, 5))
+    >>> print(closest.distance, closest.normal)
+    5.0 [0.6 0.8 0. ]
+    """
+    array, address = empty_record(CLOSEST_POINTS)
+    place_a, place_b = as_pose(pose_a, "pose_a"), as_pose(pose_b, "pose_b")
+    points = _raw.hs_closest_points.from_address(address)
+    with held(shape_a, shape_b):
+        shape_a._call(library.hs_pair_distance, place_a, shape_b._alive, place_b, points)
+    return array[0]
+
+
+def boxes_find_pairs(
+    lower: ArrayLike, upper: ArrayLike, *, context: Optional[Context] = None
+) -> NDArray[np.int32]:
+    """Broad phase alone: finds all pairs of overlapping boxes, at any ratio of sizes, in time linear in boxes and
+    pairs.
+
+    Parameters
+    ----------
+    lower, upper : array_like, shape (n, 2) or (n, 3)
+        Lower and upper corners of the boxes, m.
+    context : Context, optional
+        Allocates temporary memory; the default context if there is none given.
+
+    Returns
+    -------
+    numpy.ndarray, shape (pairs, 2)
+        Indices a < b of each pair, in an order that depends on the boxes only.
+
+    Examples
+    --------
+    >>> boxes_find_pairs([(0, 0), (0.5, 0.5), (3, 0)], [(1, 1), (1.5, 1.5), (4, 1)])
+    array([[0, 1]], dtype=int32)
+    """
+    corners = np.asarray(lower, np.float64)
+    dimension = 3 if corners.ndim == 2 and corners.shape[1] == 3 else 2
+    low, high = view_of(corners, dimension, "lower"), view_of(upper, dimension, "upper")
+    keeper = (context or default_context())._alive
+    pairs, count = np.empty((len(corners), 2), np.int32), ctypes.c_int64()
+    while True:
+        keeper.call(
+            library.hs_boxes_find_pairs,
+            keeper.pointer,
+            dimension,
+            low,
+            high,
+            pairs.ctypes.data,
+            len(pairs),
+            ctypes.byref(count),
+        )
+        if count.value <= len(pairs):
+            return pairs[: count.value]
+        pairs = np.empty((count.value, 2), np.int32)
+
+
+class QueriedBlocks(Statics):
+    """Queries of a world."""
+
+    def cast_ray(self, origin: ArrayLike, direction: ArrayLike, max_distance: float = 1e75) -> Any:
+        """Casts a ray into the world and returns the first block that it meets: fixed ones, parts of compounds, and
+        cells at the surfaces of meshes, as they are deformed now.
+
+        Parameters
+        ----------
+        origin, direction : array_like
+            Start of the ray, m, and its direction, of any length except 0.
+        max_distance : float
+            Length of the ray, m.
+
+        Returns
+        -------
+        numpy.record or None
+            A record of `RAY_HIT`: `block`, `distance`, `point`, `normal` and `face`; None if it meets no block.
+        """
+        array, address = empty_record(RAY_HIT)
+        start, along = vector(origin, "origin"), vector(direction, "direction")
+        hit = _raw.hs_ray_hit.from_address(address)
+        self._call(library.hs_world_cast_ray, start, along, max_distance, hit)
+        return array[0] if hit.is_hit else None
