@@ -1,7 +1,7 @@
 "use strict";
 
 const seriesColours = ["#4c8dff", "#f0883e", "#3fb27f", "#d2569b", "#9a7bff", "#c9a227", "#5bb5c9", "#e5534b",
-  "#8a9a3b", "#b07a5a", "#7d8aa5", "#3a6ea5"];
+                       "#8a8f98", "#7a5c3e", "#b8d44c", "#1f6f5c", "#c7a6ff"];
 
 /** A chart of lines over time in a canvas. A click or drag in it goes to a time. */
 class Chart {
