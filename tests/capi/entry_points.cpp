@@ -333,7 +333,7 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
        [](S s) { return hs_world_cast_ray(s.world.get(), nowhere, aslant, 9, &s.written.hits[1]); }},
       {"hs_pair_distance", Allocates::in_the_plane,
        [](S s) {
-         return hs_pair_distance(s.box.get(), &s.poses[0], s.round.get(), &s.poses[1], &s.written.closest);
+         return hs_pair_distance(s.round.get(), &s.poses[0], s.round.get(), &s.poses[1], &s.written.closest);
        }},
       {"hs_boxes_find_pairs", Allocates::always, find_boxes},
 
