@@ -1,4 +1,6 @@
 """Queries without contact: closest points, rays into worlds, and pairs of overlapping boxes."""
+from __future__ import annotations
+
 import ctypes
 from typing import Any, Optional
 

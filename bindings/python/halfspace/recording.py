@@ -153,17 +153,18 @@ class Recording:
                 vertices[:, : world.dimension] = found
                 self._call("set_vertices", int(number), vertices.ctypes.data)
         states = [world.state(blocks[i]) for i in places]
-        self._set("speed", "m/s", numbers, [np.linalg.norm(state.velocity) for state in states])
-        self._set("angular speed", "rad/s", numbers, [np.linalg.norm(state.angular_velocity) for state in states])
-        self._set("contact force", "N", numbers, [np.linalg.norm(state.force) for state in states])
+        self._set("speed", "m/s", numbers, [float(np.linalg.norm(state.velocity)) for state in states])
+        spins = [float(np.linalg.norm(state.angular_velocity)) for state in states]
+        self._set("angular speed", "rad/s", numbers, spins)
+        self._set("contact force", "N", numbers, [float(np.linalg.norm(state.force)) for state in states])
         deforming = [(number, blocks[i]) for i, number in zip(places, numbers) if self._deforms[blocks[i]]]
         if deforming:
-            found = np.array([number for number, _ in deforming], np.int64)
+            deformed = np.array([number for number, _ in deforming], np.int64)
             deformations = [world.deformation(block) for _, block in deforming]
             for tensor, unit in (("stress", "Pa"), ("strain", "")):
                 for name, (row, column) in _TENSOR[world.dimension].items():
                     values = [np.reshape(record[tensor], (3, 3))[row, column] for record in deformations]
-                    self._set(f"{tensor} {name}", unit, found, values)
+                    self._set(f"{tensor} {name}", unit, deformed, values)
 
     def _set(self, name: str, unit: str, numbers: NDArray[np.int64], values: Sequence[float]) -> None:
         array = np.array(values, np.float64)
