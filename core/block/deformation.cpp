@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/inertia.h"
+
 namespace halfspace {
 namespace {
 
