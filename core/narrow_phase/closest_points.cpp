@@ -53,7 +53,7 @@ class DifferenceInPlane {
   Vector<2> to_b_;
 };
 
-/// That of two polyhedra.
+/// The Minkowski difference of two polyhedra, in the frame of a.
 class DifferenceInSpace : public MinkowskiDifference<Rotation<3>> {
  public:
   DifferenceInSpace(const Outline<3>& a, const Outline<3>& b, const Frames<3>& frames)

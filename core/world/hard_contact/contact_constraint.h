@@ -80,7 +80,7 @@ class ConstraintSweeps {
   double begin();
   /// Returns the largest change, as a velocity.
   double sweep(bool is_backwards);
-  /// Of the impulses since the last acceleration, in the metric of the inverse masses.
+  /// The change of the impulses since the last acceleration, in the metric of the inverse masses.
   double squared_change() const;
   void accelerate(const ConjugateDirection& direction);
 

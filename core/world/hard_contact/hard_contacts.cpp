@@ -67,6 +67,7 @@ bool HardContacts<D>::close_gaps(double duration) {
     if (!integrator_.predict(duration)) return false;
     const bool are_points_accurate = points_.correct(duration);
     if ((rigid_.correct_targets(duration) && are_points_accurate) || !has_converged_) break;
+    if (!rigid_.empty()) rigid_.set_motions(Half::first);
   }
   return true;
 }
@@ -80,8 +81,8 @@ bool HardContacts<D>::solve(Half half, double duration) {
   return rigid_.empty() || rigid_.solve(half, duration);
 }
 
-/// Where a sweep is not enough, active sets find the impulses of manifolds at those of the points: for blocks
-/// far from any point these are the result. Where points bear most of the blocks, they are no better a start.
+/// If one sweep is not enough, active sets solve the manifolds alone: for blocks far from any point that is
+/// the result. If points then unbalance it, the impulses of the last motion are the better start.
 template <int D>
 bool HardContacts<D>::solve_together(Half half, double duration) {
   ImpulseProblem<D>& problem = rigid_.problem();
@@ -91,19 +92,18 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
     return together_.solve(problem, points_.constraints(), changes(), rigid_.settings_of(half, duration),
                            max_sweeps);
   };
+  together_.keep_start(problem);
   ImpulseResult result = sweep(1);
   const double change = together_.change_of_manifolds();
   if (!is_balanced(result) && next_pause_.ends_now()) {
     together_.return_to_start(problem, points_.constraints());
-    together_.keep_start(problem);
-    changes().begin(duration);
-    points_.push();
+    rigid_.set_motions(half);
     rigid_.solve(half, duration);
     result = sweep(1);
     if (together_.change_of_manifolds() <= better_start_fraction * change) {
       next_pause_ = {};
     } else {
-      together_.return_to_kept(problem, points_.constraints());
+      together_.return_to_start(problem, points_.constraints());
       next_pause_.begin_longer();
     }
   }

@@ -68,13 +68,9 @@ class ImpulseSolver {
   double begin(ImpulseProblem<D>& problem);
   /// Returns the largest change, as a velocity.
   double sweep(ImpulseProblem<D>& problem, bool is_backwards);
-  /// Of the impulses since the last acceleration, in the metric of the inverse masses.
+  /// The change of the impulses since the last acceleration, in the metric of the inverse masses.
   double squared_change(const ImpulseProblem<D>& problem) const;
   void accelerate(ImpulseProblem<D>& problem, const ConjugateDirection& direction);
-  /// Gives rows the impulses that they had at begin(), or after the last acceleration.
-  void restore_impulses(ImpulseProblem<D>& problem) const {
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.rows[i].impulse = previous_[i];
-  }
 
   const SolverPause& pause() const { return pause_; }
   void set_pause(const SolverPause& pause) { pause_ = pause; }

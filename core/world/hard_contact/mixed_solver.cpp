@@ -5,6 +5,7 @@
 #include "world/hard_contact/stall.h"
 
 namespace halfspace {
+
 template <int D>
 void MixedSolver<D>::find_shared(const ImpulseProblem<D>& problem,
                                  std::span<const ContactConstraint<D>> points) {
@@ -48,10 +49,14 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
   for (int i = 1; i <= max_sweeps; ++i) {
     const bool is_forwards = i % 2 == 0;
     double of_points = 0;
-    if (!is_forwards) of_points = sweeps.sweep(true), tell_manifolds();
+    const auto sweep_points = [&] {
+      of_points = sweeps.sweep(!is_forwards);
+      tell_manifolds();
+    };
+    if (!is_forwards) sweep_points();
     of_manifolds_ = solver_.sweep(problem, !is_forwards);
     tell_points();
-    if (is_forwards) of_points = sweeps.sweep(false), tell_manifolds();
+    if (is_forwards) sweep_points();
     const double changed = std::max(of_manifolds_, of_points);
     fastest = std::max(fastest, changed);
     result = {i, changed, changed <= settings.tolerance_for(fastest), fastest};
@@ -67,23 +72,16 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
 }
 
 template <int D>
-void MixedSolver<D>::return_to_start(ImpulseProblem<D>& problem,
-                                     std::span<ContactConstraint<D>> points) const {
-  solver_.restore_impulses(problem);
-  for (ContactConstraint<D>& at : points) at.impulse = at.previous_impulse;
-}
-
-template <int D>
 void MixedSolver<D>::keep_start(const ImpulseProblem<D>& problem) {
   start_.clear();
   for (const ImpulseRow<D>& row : problem.rows) start_.push_back(row.impulse);
 }
 
 template <int D>
-void MixedSolver<D>::return_to_kept(ImpulseProblem<D>& problem,
-                                    std::span<ContactConstraint<D>> points) const {
-  return_to_start(problem, points);
+void MixedSolver<D>::return_to_start(ImpulseProblem<D>& problem,
+                                     std::span<ContactConstraint<D>> points) const {
   for (std::size_t i = 0; i < start_.size(); ++i) problem.rows[i].impulse = start_[i];
+  for (ContactConstraint<D>& at : points) at.impulse = at.previous_impulse;
 }
 
 template class MixedSolver<2>;

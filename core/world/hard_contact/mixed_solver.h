@@ -18,16 +18,15 @@ class MixedSolver {
   MixedSolver(const Blocks<D>& blocks, Memory* memory)
       : blocks_(blocks), solver_(memory), start_(memory), shared_(memory), before_(memory) {}
 
-  /// From no changes, and motions of the problem without any impulses. The impulses of both are the start and
-  /// the result.
+  /// Solves from no changes, and motions of the problem without any impulses. The impulses of both are the
+  /// start and the result.
   ImpulseResult solve(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points,
                       VelocityChange<D>& changes, const ImpulseSettings& settings, int max_sweeps);
 
-  /// After a solution of one sweep: back to its start.
-  void return_to_start(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points) const;
-  /// Keeps the impulses of manifolds, to return to after others have been tried for one sweep.
+  /// Keeps the impulses of manifolds for return_to_start().
   void keep_start(const ImpulseProblem<D>& problem);
-  void return_to_kept(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points) const;
+  /// Restores them, and the impulses of points from before the last solve() of a single sweep.
+  void return_to_start(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points) const;
   /// The velocity that the last sweep changed at manifolds; in the first one, after the points'.
   double change_of_manifolds() const { return of_manifolds_; }
   /// Rigid blocks that had points in the last solution.
@@ -42,7 +41,7 @@ class MixedSolver {
   double of_manifolds_ = 0;
   Array<double> start_;           // impulses of manifolds
   Array<std::size_t> shared_;     // rigid blocks that have points
-  Array<BlockMotion<D>> before_;  // of these, without impulses
+  Array<BlockMotion<D>> before_;  // their motions without impulses
 };
 
 extern template class MixedSolver<2>;

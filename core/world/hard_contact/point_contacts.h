@@ -54,7 +54,7 @@ class PointContacts {
   }
   /// Adds the changes of velocity by its impulses, times a factor.
   void push(double scale = 1);
-  /// For a solver of more than these contacts.
+  /// The planned contacts, for a solver of more than these.
   Array<ContactConstraint<D>>& constraints() { return planned_; }
   /// Gaps also change as their normals turn, which the linear constraints leave out: the constraint
   /// velocities are corrected by it. True when the correction is below the tolerance.
@@ -69,7 +69,7 @@ class PointContacts {
   void set_velocities();
   void end_motion(EnergyLedger& ledger);
 
-  /// Those planned for a motion that was not made are none of the next one.
+  /// Drops contacts planned for a motion that was not made.
   void begin() { planned_.clear(); }
   void forget() { known_.clear(); }
 

@@ -64,8 +64,8 @@ void RigidContacts<D>::add_other_changes() {
 /// flight: for blocks under constant forces that is exact.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
-  set_motions(Half::first);
-  if (model_.may_have_points()) add_other_changes();
+  const bool has_others = model_.may_have_points();
+  if (has_others) add_other_changes();
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
     ImpulseContact<D>& of = problem_.contacts[c++];
@@ -96,6 +96,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
     }
     if (contact.is_new) contact.touched_at = time + std::min(first, duration);
   }
+  if (has_others) set_motions(Half::first);
 }
 
 /// Penetration stays as it is: the points of a jammed heap could not all recover in one solve, so that their
@@ -110,7 +111,6 @@ double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t
 
 template <int D>
 void RigidContacts<D>::set_gap_targets(double duration) {
-  set_motions(Half::first);
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     const auto predicted = search_.predicted_gaps(contact);
@@ -154,7 +154,6 @@ ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const 
 
 template <int D>
 bool RigidContacts<D>::solve(Half half, double duration) {
-  set_motions(half);
   const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
   take_impulses(result);
   push();
@@ -225,6 +224,7 @@ template <int D>
 void RigidContacts<D>::build() {
   rows_.build(planned_, problem_);
   solver_.reserve(problem_.rows.size(), blocks_.slot_count());
+  set_motions(Half::first);
 }
 
 template <int D>
@@ -334,6 +334,7 @@ template <int D>
 void RigidContacts<D>::set_velocity_targets() {
   if (planned_.empty()) return;
   rows_.build(planned_, problem_);
+  set_motions(Half::second);
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);

@@ -57,37 +57,37 @@ class RigidContacts {
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
   bool find_more(double time, double duration);
   bool empty() const { return planned_.empty(); }
-  /// At the end of a motion, before its second half step: does any contact close, faster than by gravity?
+  /// Does any contact close faster than by gravity, before the second half step?
   bool has_impact() const;
   /// Takes the memory of the end of the motion.
   void reserve() { next_known_.reserve(planned_.size() + known_.size()); }
-  /// After a search.
+  /// Makes the impulse problem of the first half from the contacts found, with its motions.
   void build();
   /// Changes of velocity so far are those of other contacts.
   void find_impacts(double time, double duration);
-  /// From the motion predicted without impulses.
+  /// Sets the targets from the motion predicted without impulses.
   void set_gap_targets(double duration);
-  /// Adds the changes of velocity by its impulses. False when they do not converge.
+  /// Solves from motions without impulses, and adds the changes of velocity. False when it does not converge.
   bool solve(Half half, double duration);
   /// Adds the changes of velocity by its impulses.
   void push() const;
   bool correct_targets(double duration);
 
-  // For a solver of more than these contacts.
+  // Parts for a solver of more than these contacts.
   ImpulseSettings settings_of(Half half, double duration) const;
   /// The velocities that the impulses of a half act on, without those of any contact.
   void set_motions(Half half);
   ImpulseProblem<D>& problem() { return problem_; }
-  /// Of the problem, for the contacts.
+  /// Copies the impulses of the problem to the contacts.
   void take_impulses(const ImpulseResult& result);
 
   void apply_position_impulses(EnergyLedger& ledger);
   /// Blocks that points hold do not recover from penetration: they would be moved into the others.
   void find_at_end(std::span<const std::size_t> held_by_points, EnergyLedger& ledger);
+  /// Makes the impulse problem of the second half, with its motions and targets.
   void set_velocity_targets();
   void end_motion(EnergyLedger& ledger);
 
-  void forget() { known_.clear(); }
   void forget(std::int32_t slot) {
     std::erase_if(known_,
                   [&](const RigidContact<D>& contact) { return contact.a == slot || contact.b == slot; });

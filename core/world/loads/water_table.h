@@ -26,7 +26,7 @@ struct WaterPart {
   WaterDepth<D> depth = {};
   Vector<D> low = Vector<D>::Constant(-HUGE_VAL);  // of the horizontal coordinates; the last one is not used
   Vector<D> high = Vector<D>::Constant(HUGE_VAL);
-  // Of a cell of a height map, one half: where side . (place - on_table) >= 0.
+  // One half of a cell of a height map: where side . (place - on_table) >= 0.
   bool is_half = false;
   Vector<D> side = Vector<D>::Zero();
 };
