@@ -7,8 +7,10 @@
 #include "catch.h"
 #include "output/picture/camera.h"
 #include "output/picture/png.h"
+#include "recording/encoding.h"
 
 using namespace halfspace::cli;
+using halfspace::viewer::base64;
 
 namespace {
 

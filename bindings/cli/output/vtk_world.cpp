@@ -16,7 +16,7 @@ std::vector<Point> vertices_in(const Context& context, const hs_world* world, hs
   return vertices;
 }
 
-/// In space the faces of the hull, whose vertices have another order.
+/// The faces of a block; in space those of its hull, whose vertices have another order.
 std::vector<std::vector<int>> faces_by(const Context& context, int dimension, std::vector<Point>& vertices) {
   if (dimension == 3) {
     const Shape hull = make_hull(context, vertices);

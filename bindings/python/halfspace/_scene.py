@@ -12,7 +12,7 @@ import weakref
 from typing import Any
 
 from . import _raw
-from ._library import library, open_library
+from ._library import declare_functions, library, open_first
 from .errors import HalfspaceError, SceneError, StateError, error_of
 
 TEXT_TOML, TEXT_NOTES, TEXT_NAMES, TEXT_REPORT, TEXT_TROUBLE = range(5)
@@ -95,9 +95,7 @@ def _declare(found: ctypes.CDLL) -> None:
         "find_safety": (status, scene, context, to(hs_scene_safety_def), to(hs_scene_safety_result)),
         "write_vtk": (status, scene, context, world, ctypes.c_void_p, text, text),
     }
-    for name, (result, *arguments) in functions.items():
-        function = getattr(found, f"hs_scene_{name}")
-        function.restype, function.argtypes = result, arguments
+    declare_functions(found, "hs_scene_", functions)
 
 
 @functools.lru_cache(maxsize=None)
@@ -105,16 +103,10 @@ def scene_library() -> Any:
     """The library of scenes. It uses the library of the kernel that is loaded already."""
     name = _raw.SONAME.replace("libhalfspace", "libhalfspace_scene")
     beside = pathlib.Path(str(library._name)).parent
-    failures = []
-    for path in (*map(str, (beside / "_scene_library").glob(name)), str(beside / name), name):
-        try:
-            found = open_library(path)
-        except OSError as error:
-            failures.append(str(error))
-        else:
-            _declare(found)
-            return found
-    raise ImportError("halfspace: no library of scenes:\n  " + "\n  ".join(failures))
+    paths = (*map(str, (beside / "_scene_library").glob(name)), str(beside / name), name)
+    found = open_first(paths, "scenes")
+    _declare(found)
+    return found
 
 
 def _error_of(status: int, text: str) -> HalfspaceError:

@@ -6,7 +6,7 @@ import sys
 from typing import Any, Iterator
 
 from . import _raw
-from ._library import library
+from ._library import declare_functions, library, open_first
 
 _PACKAGE = pathlib.Path(__file__).resolve().parent
 _PAGE = pathlib.Path("share/halfspace/viewer/viewer.html")
@@ -35,25 +35,16 @@ def _declare(found: ctypes.CDLL) -> None:
         "set_history": (status, recording, text),
         "write": (status, recording, text, text),
     }
-    for name, (result, *arguments) in functions.items():
-        function = getattr(found, f"hs_recording_{name}")
-        function.restype, function.argtypes = result, arguments
+    declare_functions(found, "hs_recording_", functions)
 
 
 @functools.lru_cache(maxsize=None)
 def viewer_library() -> Any:
     """The library of the viewer: beside that of the kernel, or where the system's loader finds it."""
     name = _raw.SONAME.replace("libhalfspace", "libhalfspace_viewer")
-    failures = []
-    for path in (str(pathlib.Path(str(library._name)).parent / name), name):
-        try:
-            found = ctypes.CDLL(path)
-        except OSError as error:
-            failures.append(str(error))
-        else:
-            _declare(found)
-            return found
-    raise ImportError("halfspace: no library of the viewer:\n  " + "\n  ".join(failures))
+    found = open_first((str(pathlib.Path(str(library._name)).parent / name), name), "the viewer")
+    _declare(found)
+    return found
 
 
 def _pages() -> Iterator[pathlib.Path]:

@@ -63,7 +63,7 @@ def write_recording(path, dimension, block_count, frame_count):
 
 
 def frames_per_second(browser, seconds):
-    """Of a page that plays as fast as it can."""
+    """Frames per second of a page that plays as fast as it can."""
     return browser.run(
         "let shown = 0; const begin = performance.now();"
         "while (performance.now() - begin < 1000 * a[0]) {"

@@ -126,7 +126,7 @@ class Viewer {
     this.update();
   }
 
-  // What is shown.
+  // Layers, fields and ranges on show.
 
   setLayer(name, isShown) {
     this.layers.isShown[name] = isShown;

@@ -1,6 +1,6 @@
 "use strict";
 
-// What is shown besides the blocks: contact forces and points, cracks, bolts, the water table.
+// Layers besides the blocks: contact forces and points, cracks, bolts, the water table.
 
 const layerColours = {
   compression: [0.93, 0.36, 0.2], tension: [0.2, 0.5, 0.95], point: [0.98, 0.78, 0.2], bolt: [0.15, 0.72, 0.62],

@@ -1,6 +1,6 @@
 "use strict";
 
-// What stands over the picture: the colours' legend, the time, a scale in 2D or the axes in 3D. It is drawn into a
+// The overlay of the picture: the colours' legend, the time, a scale in 2D or the axes in 3D. It is drawn into a
 // canvas, which a saved picture contains, too.
 
 function drawOverlay(context, width, height, {field, range, isLog, table, title, time, camera, theme}) {

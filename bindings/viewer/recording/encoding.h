@@ -7,6 +7,7 @@ namespace halfspace::viewer {
 /// The bytes as a zlib stream, which DecompressionStream("deflate") of a browser reads.
 std::string deflated(const std::string& bytes);
 
+/// The bytes as base64 text (RFC 4648).
 std::string base64(const std::string& bytes);
 
 /// A text as a JSON string, with its quotes.

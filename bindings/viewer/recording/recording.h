@@ -68,14 +68,14 @@ class Recording {
   std::size_t add_block(BlockShape shape, const Pose& pose);
   void add_frame(double time);
 
-  // What the current frame has.
+  // Contents of the current frame.
   void set_rigid(std::size_t block, const Pose& pose);
   void set_deformed(std::size_t block, const std::vector<Point>& vertices);
   /// Either of them, from the vertices and the rotation of a block, which counts if the block is rigid.
   void set_vertices(std::size_t block, const std::vector<Point>& vertices, const Quaternion& rotation);
   /// Sets a field. Ranges of fields are those of blocks that are not fixed.
   void set_value(const std::string& field, const std::string& unit, std::size_t block, double value);
-  /// Of more than max_contacts, those with the largest forces are kept.
+  /// Keeps the max_contacts contacts with the largest forces.
   void set_contacts(std::vector<ContactForce> contacts);
   void set_bolt(const BoltForce& bolt);
   void set_water(const std::vector<Point>& corners);

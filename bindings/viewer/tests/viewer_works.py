@@ -59,7 +59,7 @@ class ViewerTest(unittest.TestCase):
         self.browser.run("await viewer.player.goTo(a[0])", number)
 
     def colour_at(self, pixel, screenshot):
-        """Of the middle one of nine pixels, so that no smoothed line between two colours counts."""
+        """The median of nine pixels, so that no smoothed line between two colours counts."""
         x, y = round(pixel[0]), round(pixel[1])
         return np.median(screenshot[y - 1:y + 2, x - 1:x + 2].reshape(9, 3), axis=0)
 
@@ -67,7 +67,7 @@ class ViewerTest(unittest.TestCase):
         self.assertLess(np.abs(found - wanted).max(), delta, f"{found} is not {wanted}")
 
     def check_vertices(self):
-        """What the page unpacks is what the frames have, within the step of the lattice."""
+        """The page unpacks the vertices of the frames, within the step of the lattice."""
         for number in range(9):
             self.go_to(number)
             shown = self.browser.run(

@@ -4,6 +4,7 @@
 #include "output/picture/canvas.h"
 #include "output/picture/plot.h"
 #include "output/picture/png.h"
+#include "recording/encoding.h"
 
 namespace halfspace::cli {
 namespace {
@@ -87,7 +88,7 @@ void draw_in_space(Svg& svg, const Plot& plot, const Layout& layout, const Frame
   }
   const double line = outline_width(plot, frame) * density * Canvas::samples;
   const Image image = canvas.image(std::max(1, static_cast<int>(std::lround(line))));
-  svg.image(plot.corner(), plot.width, plot.height, base64(png(image)));
+  svg.image(plot.corner(), plot.width, plot.height, viewer::base64(png(image)));
   if (plot.stage.numbers) draw_numbers(svg, canvas, faces_of);
   svg.rectangle(plot.corner(), plot.width, plot.height, "fill=\"none\" stroke=\"#222\"");
   draw_directions(svg, plot);

@@ -9,7 +9,4 @@ namespace halfspace::cli {
 /// An image as the bytes of a PNG file. The same image gives the same bytes. @throws std::runtime_error
 std::string png(const Image& image);
 
-/// Bytes as base64 text (RFC 4648), for SVG files.
-std::string base64(const std::string& bytes);
-
 }  // namespace halfspace::cli

@@ -14,14 +14,6 @@
 namespace halfspace::cli {
 namespace {
 
-/// A cell of CSV, in quotes where it has to be.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 /// NaN for a text that is no number.
 double value_in(const std::string& text) {
   double value = 0;
@@ -66,7 +58,7 @@ std::size_t SweepTable::failed_count() const {
 
 std::string SweepTable::columns() const {
   std::string text = "run";
-  for (const Axis& axis : grid_.axes) text += ',' + cell(axis.key);
+  for (const Axis& axis : grid_.axes) text += ',' + csv_value(axis.key);
   text += ",exit_status,wall_time";
   for (const std::string& name : result_names_) text += ',' + name;
   return text;
@@ -76,7 +68,7 @@ std::string SweepTable::text() const {
   std::string text = identity_ + '\n' + columns() + '\n';
   for (const auto& [number, row] : rows_) {
     text += std::to_string(number);
-    for (const std::string& value : grid_.values_of(number)) text += ',' + cell(value);
+    for (const std::string& value : grid_.values_of(number)) text += ',' + csv_value(value);
     text += ',' + row.status + ',' + row.seconds;
     for (const std::string& result : row.results) text += ',' + result;
     text += '\n';
