@@ -1,4 +1,4 @@
-// What Box2D's own narrow phase does at the shapes that the adapter leaves to it: circles and chains.
+// Errors of Box2D's own narrow phase at the shapes that the adapter leaves to it: circles and chains.
 //
 //   box2d_edges
 //
