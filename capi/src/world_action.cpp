@@ -126,6 +126,7 @@ hs_status hs_world_add_table(hs_world* world, const double times[], hs_view valu
 
 hs_status hs_world_add_action(hs_world* world, hs_block block, const hs_action_def* def) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const hs_action_def known = read_action(w, def);
     Action<D> action = read_block_action(w, known);
     if (block == 0) {

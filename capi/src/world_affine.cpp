@@ -107,6 +107,7 @@ hs_status hs_world_get_deformations(const hs_world* world, hs_deformation deform
 hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double gradient[9],
                                    const double rate[9]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const std::size_t slot = affine_slot_of(w, block);
     const Tensor<D> to = read_finite_tensor<D>(gradient, "gradient");
     const Tensor<D> speed = read_finite_tensor<D>(rate, "rate");
@@ -118,6 +119,7 @@ hs_status hs_world_set_deformation(hs_world* world, hs_block block, const double
 
 hs_status hs_world_set_stress(hs_world* world, hs_block block, const double stress[9]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const std::size_t slot = affine_slot_of(w, block);
     const Tensor<D> wanted = read_symmetric_tensor<D>(stress, "stress");
     w.set_stress(std::int32_t(slot), wanted);

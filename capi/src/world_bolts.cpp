@@ -101,6 +101,7 @@ hs_status hs_bolt_def_init(hs_bolt_def* def, size_t size) { return write_definit
 
 hs_status hs_world_add_bolt(hs_world* world, const hs_bolt_def* given, int64_t* number) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const hs_bolt_def def = read_definition(given, "def");
     Bolt<D> bolt;
     read_forces(def, bolt);

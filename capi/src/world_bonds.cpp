@@ -111,6 +111,7 @@ hs_status hs_bond_def_init(hs_bond_def* def, size_t size) { return write_definit
 
 hs_status hs_world_bond_blocks(hs_world* world, hs_block block_a, hs_block block_b, const hs_bond_def* def) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a"),
                        b = slot_of(w.blocks(), block_b, "block_b");
     const BondLaw law = read_bond(def);
@@ -131,6 +132,7 @@ hs_status hs_world_bond_blocks(hs_world* world, hs_block block_a, hs_block block
 hs_status hs_world_bond_materials(hs_world* world, int32_t material_a, int32_t material_b,
                                   const hs_bond_def* def, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
     const BondLaw law = read_bond(def);

@@ -50,6 +50,7 @@ hs_status hs_compound_def_init(hs_block_def* def, size_t size, const hs_shape* c
 hs_status hs_world_add_compound(hs_world* world, const hs_shape* const shapes[], const hs_pose poses[],
                                 int64_t part_count, const hs_block_def* def, hs_block* block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     require_pointer(block, "block");
     const GivenParts<D> parts = read_parts<D>(shapes, poses, part_count, &world->context->memory);
     const double radius = compound_body<D>(parts.shapes, parts.poses, 1).radius;

@@ -131,6 +131,17 @@ void require_moved_by_itself(const Blocks<D>& blocks, std::int32_t slot, const c
   }
 }
 
+/// Refuses a share of a larger world.
+template <int D>
+void require_whole(const World<D>& world, const char* advice) {
+  if (!world.share().is_whole()) refuse(HS_ERROR_STATE, "world is a share of a larger world; %s", advice);
+}
+/// The same for what only the whole world can do.
+template <int D>
+void require_joined(const World<D>& world) {
+  require_whole(world, "join the shares with hs_world_assemble() first");
+}
+
 template <int D>
 void require_material(const World<D>& world, std::int32_t material, const ArgumentName& name) {
   if (material < 0 || material >= world.material_count()) {

@@ -195,6 +195,7 @@ hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material
 hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_block_def* def,
                              hs_block* block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const Shape<D>& form = require_shape<D>(shape, "shape");
     require_pointer(block, "block");
     const BlockStart<D> start = read_block(w, def, form.bounding_radius(), HS_BLOCK_AFFINE,
@@ -218,6 +219,7 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
 
 hs_status hs_world_remove_block(hs_world* world, hs_block block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     require_moved_by_itself(w.blocks(), slot, "block");
     w.blocks().is_compound(std::size_t(slot)) ? w.remove_compound(slot) : w.remove_block(slot);

@@ -187,6 +187,7 @@ hs_status hs_body_def_init(hs_body_def* def, size_t size) { return write_definit
 hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_def* def,
                             const int32_t cell_materials[], hs_body* body) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const Mesh<D>& form = require_mesh<D>(mesh);
     require_pointer(body, "body");
     const hs_body_def known = read_definition(def, "def");

@@ -63,6 +63,7 @@ hs_status hs_relaxation_def_init(hs_relaxation_def* def, size_t size) { return w
 
 hs_status hs_world_relax(hs_world* world, const hs_relaxation_def* def, hs_balance* balance, size_t size) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const Relaxation relaxation = read_relaxation(def);
     if (balance) require_report_size(size, sizeof(hs_balance));
     const Relaxed relaxed = w.relax(relaxation);
@@ -74,6 +75,7 @@ hs_status hs_world_relax(hs_world* world, const hs_relaxation_def* def, hs_balan
 
 hs_status hs_world_get_balance(hs_world* world, hs_balance* balance, size_t size) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     require_pointer(balance, "balance");
     require_report_size(size, sizeof(hs_balance));
     write_balance(w, w.balance(), 0, balance, size);

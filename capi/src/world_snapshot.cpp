@@ -17,6 +17,7 @@ struct Header {
 
 hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, size_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_joined(w);
     require_pointer(count, "count");
     if (capacity > 0) require_pointer(bytes, "bytes");
     const std::size_t size = snapshot::state_size(w);

@@ -50,6 +50,7 @@ hs_status hs_world_get_block_vertices(const hs_world* world, hs_block block, hs_
 
 hs_status hs_world_set_pose(hs_world* world, hs_block block, const hs_pose* pose) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     require_moved_by_itself(w.blocks(), slot, "block");
     const Pose<D> to = read_place<D>(pose, w.blocks().radius[std::size_t(slot)], "pose");
@@ -104,6 +105,7 @@ hs_status hs_world_get_poses(const hs_world* world, hs_pose poses[], int64_t cap
 
 hs_status hs_world_set_poses(hs_world* world, const hs_pose poses[], int64_t count) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     if (count != w.blocks().count()) {
       refuse(HS_ERROR_ARGUMENT, "count is %lld; the world has %lld blocks", static_cast<long long>(count),
              static_cast<long long>(w.blocks().count()));

@@ -154,6 +154,7 @@ hs_status hs_world_detect(hs_world* world, int64_t* touching) {
 
 hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view forces, hs_mutable_view torques) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     require_from_zero(elapsed, "elapsed");
     require_view<D>(forces, "forces");
     require_angular_view<D>(torques, "torques");
@@ -165,6 +166,7 @@ hs_status hs_world_forces(hs_world* world, double elapsed, hs_mutable_view force
 
 hs_status hs_world_step(hs_world* world, int64_t steps) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     require_count(steps, "steps");
     for (std::int64_t i = 0; i < steps; ++i) require_stepped(w, w.step());
     return HS_OK;
@@ -175,7 +177,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
-    w.prepare();  // updates energies and time step after a change
+    if (w.share().is_whole()) w.prepare();  // updates energies and time step after a change
     const double stable = w.stable_time_step();
     const double overlap = w.largest_overlap();
     const hs_world_report ours = {D,

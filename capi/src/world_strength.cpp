@@ -110,6 +110,7 @@ hs_status hs_world_set_strength_factor(hs_world* world, double factor) {
 hs_status hs_world_find_strength_factor(const hs_world* world, const hs_strength_def* def,
                                         hs_strength_report* report, size_t size, hs_world** fallen) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_joined(w);
     const Search search = read_search(def);
     require_pointer(report, "report");
     require_report_size(size, sizeof(hs_strength_report));

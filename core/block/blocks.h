@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "block/block_kind.h"
+#include "block/block_state.h"
 #include "block/bond/bonds.h"
 #include "block/compound_body.h"
 #include "block/compounds.h"
@@ -18,9 +20,6 @@
 #include "geometry/vector.h"
 
 namespace halfspace {
-
-/// The unknowns of a block. The values are those of the C API; `none` marks a free slot.
-enum class BlockKind : std::int32_t { none = -1, fixed = 0, prescribed = 1, rigid = 2, affine = 3, mesh = 4 };
 
 /// The outlines of two blocks at their present poses, and the vector from a's centroid to b's.
 template <int D>
@@ -91,6 +90,10 @@ class Blocks {
   /// material. `poses`: of the shapes, in one frame. If memory runs out, nothing has changed.
   std::int32_t add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
                             BlockKind block_kind, std::int32_t block_material, double density);
+  /// The entries of a block, and its outline in the frame of the shape, as add() takes them in another world.
+  BlockState<D> state_of(std::size_t slot) const;
+  void copy_outline(std::int32_t slot, OutlineCopy<D>& copy) const { outlines_.copy(slot, copy); }
+  std::int32_t add(const BlockState<D>& state, const OutlineCopy<D>& own);
   /// Undoes the last add_compound().
   void take_back_compound(std::int32_t compound);
   /// Removes a compound whose parts have been removed.

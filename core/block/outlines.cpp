@@ -5,6 +5,7 @@
 
 #include "block/tiling.h"
 #include "geometry/deformed_outline.h"
+#include "geometry/polyhedron/topology.h"
 
 namespace halfspace {
 namespace {
@@ -59,8 +60,7 @@ std::size_t Outlines<3>::length(std::int32_t form) const {
 }
 
 template <int D>
-typename Outlines<D>::Taken Outlines<D>::take_in(const Shape<D>& shape) {
-  const Outline<D>& outline = shape.outline();
+typename Outlines<D>::Taken Outlines<D>::take_in(const Outline<D>& outline) {
   const Extent extent = extent_of(outline);
   const std::size_t first = own_.size();
   Taken taken{std::int64_t(first), 0};
@@ -80,6 +80,36 @@ typename Outlines<D>::Taken Outlines<D>::take_in(const Shape<D>& shape) {
   copy_components(outline, own_.data() + first);
   std::copy_n(outline.offset, extent.halfspaces, turned_.data() + first + extent.offset());
   return taken;
+}
+
+template <>
+Outlines<2>::Taken Outlines<2>::take_in(const OutlineCopy<2>& copy) {
+  return take_in(outline_at(copy.vertices, copy.components.data()));
+}
+
+template <>
+Outlines<3>::Taken Outlines<3>::take_in(const OutlineCopy<3>& copy) {
+  const Topology topology = topology_at(copy.topology.data(), copy.vertices, copy.edges, copy.faces);
+  return take_in(outline_at(topology, copy.components.data()));
+}
+
+template <>
+void Outlines<2>::copy(std::int32_t slot, OutlineCopy<2>& to) const {
+  const Outline<2> outline = own(slot);
+  to.vertices = to.edges = to.faces = outline.count;
+  to.components.assign(outline.x, outline.x + extent_of(outline).length());
+}
+
+template <>
+void Outlines<3>::copy(std::int32_t slot, OutlineCopy<3>& to) const {
+  const Outline<3> outline = own(slot);
+  const Topology& topology = *outline.topology;
+  to.vertices = topology.vertex_count;
+  to.edges = topology.edge_count;
+  to.faces = topology.face_count;
+  to.components.assign(outline.x, outline.x + extent_of(outline).length());
+  to.topology.assign(topology.first_of_face,
+                     topology.first_of_face + topology_length(to.vertices, to.edges, to.faces));
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include <span>
 #include <type_traits>
 
+#include "block/block_state.h"
 #include "block/topologies.h"
 #include "geometry/outline.h"
 #include "geometry/rotation.h"
@@ -31,13 +32,16 @@ class Outlines {
     std::int64_t first;
     std::int32_t form;
   };
-  Taken take_in(const Shape<D>& shape);
+  Taken take_in(const Shape<D>& shape) { return take_in(shape.outline()); }
+  /// Precondition: the copy is complete.
+  Taken take_in(const OutlineCopy<D>& copy);
   /// An outline without vertices, for a block that makes no contacts of its own.
   Taken take_in_none();
   void assign(std::int32_t slot, const Taken& taken);
   void undo(const Taken& taken);
   /// The same for the block added last.
   void take_back(std::int32_t slot) { undo({first_[std::size_t(slot)], form_[std::size_t(slot)]}); }
+  void copy(std::int32_t slot, OutlineCopy<D>& to) const;
   /// Closes the gap of a removed block.
   void drop(std::int32_t slot);
 
@@ -63,6 +67,7 @@ class Outlines {
     explicit NoTopologies(Memory*) {}
   };
 
+  Taken take_in(const Outline<D>& outline);
   Outline<D> seen_in(const Array<double>& components, std::int32_t slot) const;
   void map(std::int32_t slot, const Tensor<D>& vertices, const Tensor<D>& normals);
   bool is_form(std::int32_t form) const;
@@ -77,22 +82,27 @@ class Outlines {
   [[no_unique_address]] std::conditional_t<D == 3, Topologies, NoTopologies> topologies_;
 };
 
+/// The outline with these components.
+inline Outline<2> outline_at(int vertices, const double* components) {
+  const std::size_t n = std::size_t(Outline<2>::padded(vertices));
+  return {vertices, components, components + n, components + 2 * n, components + 3 * n, components + 4 * n};
+}
+inline Outline<3> outline_at(const Topology& topology, const double* components) {
+  const std::size_t v = std::size_t(Outline<3>::padded(topology.vertex_count)),
+                    f = std::size_t(Outline<3>::padded(topology.face_count));
+  const double* normals = components + 3 * v;
+  return {&topology, components,  components + v,  components + 2 * v,
+          normals,   normals + f, normals + 2 * f, normals + 3 * f};
+}
+
 // Inline, as detection reads two outlines per pair and step.
 template <>
 inline Outline<2> Outlines<2>::seen_in(const Array<double>& components, std::int32_t slot) const {
-  const int count = form_[std::size_t(slot)];
-  const std::size_t n = std::size_t(Outline<2>::padded(count));
-  const double* p = components.data() + first_[std::size_t(slot)];
-  return {count, p, p + n, p + 2 * n, p + 3 * n, p + 4 * n};
+  return outline_at(form_[std::size_t(slot)], components.data() + first_[std::size_t(slot)]);
 }
 template <>
 inline Outline<3> Outlines<3>::seen_in(const Array<double>& components, std::int32_t slot) const {
-  const Topology& topology = topologies_[form_[std::size_t(slot)]];
-  const std::size_t v = std::size_t(Outline<3>::padded(topology.vertex_count)),
-                    f = std::size_t(Outline<3>::padded(topology.face_count));
-  const double* p = components.data() + first_[std::size_t(slot)];
-  const double* n = p + 3 * v;
-  return {&topology, p, p + v, p + 2 * v, n, n + f, n + 2 * f, n + 3 * f};
+  return outline_at(topologies_[form_[std::size_t(slot)]], components.data() + first_[std::size_t(slot)]);
 }
 template <>
 bool Outlines<2>::is_form(std::int32_t form) const;
@@ -102,6 +112,14 @@ template <>
 bool Outlines<2>::counts_users(std::span<const std::int32_t> living) const;
 template <>
 bool Outlines<3>::counts_users(std::span<const std::int32_t> living) const;
+template <>
+Outlines<2>::Taken Outlines<2>::take_in(const OutlineCopy<2>& copy);
+template <>
+Outlines<3>::Taken Outlines<3>::take_in(const OutlineCopy<3>& copy);
+template <>
+void Outlines<2>::copy(std::int32_t slot, OutlineCopy<2>& to) const;
+template <>
+void Outlines<3>::copy(std::int32_t slot, OutlineCopy<3>& to) const;
 template <>
 std::size_t Outlines<2>::length(std::int32_t form) const;
 template <>

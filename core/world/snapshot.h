@@ -48,9 +48,9 @@ class Writer {
     raw(array.data(), array.size() * sizeof(T));
   }
 
-  template <int D>
-  void write(const Vector<D>& vector) {
-    raw(vector.data(), sizeof(double) * D);
+  template <int Rows, int Columns>
+  void write(const Eigen::Matrix<double, Rows, Columns>& matrix) {
+    raw(matrix.data(), sizeof(double) * Rows * Columns);
   }
 
   template <class T>
@@ -99,9 +99,9 @@ class Reader {
     raw(array.data(), array.size() * sizeof(T));
   }
 
-  template <int D>
-  void read(Vector<D>& vector) {
-    raw(vector.data(), sizeof(double) * D);
+  template <int Rows, int Columns>
+  void read(Eigen::Matrix<double, Rows, Columns>& matrix) {
+    raw(matrix.data(), sizeof(double) * Rows * Columns);
   }
 
   template <class T>

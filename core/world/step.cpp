@@ -129,6 +129,14 @@ void World<D>::note_speeds(const EnergySample& sample) {
 template <int D>
 StepResult World<D>::prepare() {
   if (!edited_) return StepResult::ok;
+  const StepResult result = load_changed();
+  if (result == StepResult::ok) end_beginning();
+  return result;
+}
+
+/// Contacts and forces of a changed world.
+template <int D>
+StepResult World<D>::load_changed() {
   // Memory of blocks is taken first, that of pairs by detection: contacts are found only when all of it is
   // there.
   const std::size_t slots = model_.blocks.slot_count();
@@ -141,17 +149,28 @@ StepResult World<D>::prepare() {
   if (!model_.viscous_nodes.empty()) model_.viscous_nodes.renew(model_.blocks.meshes());
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
   evaluate_forces(0);
+  return StepResult::ok;
+}
+
+/// Accelerations and ledger of a changed world, from its forces.
+template <int D>
+void World<D>::end_beginning() {
   double noise = 0;
   const EnergySample sample = integrator_.begin(clock_.time_step(), noise);
   note_speeds(sample);
   ledger_.begin(sample, noise);
   edited_ = false;
-  return StepResult::ok;
 }
 
 /// The predicted motion, from where forces are known to where they are known again.
 template <int D>
 void World<D>::move() {
+  move_and_load();
+  end_motion();
+}
+
+template <int D>
+void World<D>::move_and_load() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
   if (!model_.actions.empty()) ledger_.add_outer_power(integrator_.power_of_jumps());
@@ -164,6 +183,11 @@ void World<D>::move() {
   evaluate_forces(duration);
   made_ = 0;
   if (!model_.actions.empty()) model_.actions.place_loads(model_.blocks);
+}
+
+template <int D>
+void World<D>::end_motion() {
+  const double duration = integrator_.duration();
   hard_contacts_.find_at_end(ledger_);
   penetration_bound_.note(hard_contacts_.deepest());
   lap(Pass::hard_contacts);
@@ -258,7 +282,11 @@ StepResult World<D>::step() {
   template bool World<D>::choose_time_step();               \
   template void World<D>::note_speeds(const EnergySample&); \
   template StepResult World<D>::prepare();                  \
+  template StepResult World<D>::load_changed();             \
+  template void World<D>::end_beginning();                  \
   template void World<D>::move();                           \
+  template void World<D>::move_and_load();                  \
+  template void World<D>::end_motion();                     \
   template StepResult World<D>::predict_rest();             \
   template StepResult World<D>::prepare_and_predict();      \
   template StepResult World<D>::predict_changed();          \

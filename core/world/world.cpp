@@ -17,7 +17,8 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       bond_pass_(model_),
       water_pass_(model_, forces_, threads, memory),
       sleep_(memory),
-      integrator_(model_, contacts_.neighbors(), forces_, sleep_, threads, memory),
+      share_(memory),
+      integrator_(model_, contacts_.neighbors(), forces_, sleep_, share_, threads, memory),
       hard_contacts_(model_, contacts_, integrator_, memory),
       stable_step_(model_, contacts_, memory),
       penetration_bound_(model_, contacts_),
@@ -70,11 +71,13 @@ void World<D>::renew_neighbors(int renewals) {
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 2.0 : 1.0, renewals == 0};
+  const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 2.0 : 1.0, renewals == 0,
+                       share_.typical_radius()};
   neighbors.search_again(model_.blocks, skins, with_shear);
   contacts_.fit_room();
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
+  share_.find_rings(neighbors.pairs());
   if (!bonds.empty()) bond_pass_.hand_over(contacts_);
   forget_contacts();
   are_left_out_loaded_ = false;
@@ -87,7 +90,7 @@ void World<D>::renew_neighbors_if_needed() {
 }
 
 /// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
-/// the contact computed if is_described().
+/// the contact computed if is_described(). In a share, pairs of copies are computed, but do not count.
 template <int D>
 template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
@@ -100,15 +103,20 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
       contacts_.keep_as_it_was(k, chunk.begin, sums);
       continue;
     }
+    if (!share_.follows(pairs[k])) continue;
+    const double released = sums.released;
     const Found found = contacts_.find(k, contact, sums);
+    if (!share_.counts(pairs[k])) sums.released = released;
     if (found == Found::apart) continue;
+    const bool loads_own = share_.loads(pairs[k]);
     if (found == Found::met) {
       if (made_ > 0 && contacts_.is_described(pairs[k]))
         continuous_collision_.find_entrance(pairs[k], made_, chunk.worker);
-      contacts_.keep_met(k, chunk.begin, sums);
+      contacts_.note_met(k, chunk.begin, sums);
+      if (loads_own) contacts_.keep(k, chunk.begin, sums);
       continue;
     }
-    contacts_.keep(k, chunk.begin, contact, sums);
+    if (loads_own) contacts_.keep(k, chunk.begin, contact, sums);
     on_contact(k, contact);
   }
 }
@@ -123,7 +131,8 @@ void World<D>::take_in_met(OnContact on_contact) {
       const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
       Contact<D> contact;
       if (contacts_.is_described(pair)) {
-        entrances_.describe(k, sums_, contact);
+        if (share_.loads(pair) && entrances_.find(k, sums_)) share_.note_entrance(pair);
+        entrances_.describe(k, contact);
         contacts_.note_overlap(k, contact, sums);
       }
       sums.max_penetration_ratio = std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
@@ -162,6 +171,19 @@ void World<D>::detect() {
   end_finding();
 }
 
+/// Computes the load of a pair. In a share, its energy may count elsewhere, and it may load copies only.
+template <int D>
+[[gnu::always_inline]] inline void World<D>::load_pair(std::size_t k, const Contact<D>& contact,
+                                                       typename ForcePass<D>::Evaluation& evaluation) {
+  const ContactEnergy energy = evaluation.energy;
+  const std::int32_t last_block = evaluation.last_block;
+  forces_.load(k, contact, evaluation);
+  if (share_.is_whole()) return;
+  const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+  if (!share_.counts(pair)) evaluation.energy = energy;
+  if (!share_.loads(pair)) evaluation.last_block = last_block;
+}
+
 /// Finds the contacts in the same pass, unless they are known.
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
@@ -177,11 +199,11 @@ void World<D>::evaluate_forces(double elapsed) {
       for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
         const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
         if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
-        forces_.load(k, contact, evaluation);
+        load_pair(k, contact, evaluation);
       }
     } else {
       find_in(chunk, sums,
-              [&](std::size_t k, const Contact<D>& contact) { forces_.load(k, contact, evaluation); });
+              [&](std::size_t k, const Contact<D>& contact) { load_pair(k, contact, evaluation); });
     }
     sums.energy = evaluation.energy;
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
@@ -190,7 +212,7 @@ void World<D>::evaluate_forces(double elapsed) {
     take_in_met(
         [&, common = forces_.begin(elapsed)](std::size_t k, const Contact<D>& contact, PairSums& sums) {
           typename ForcePass<D>::Evaluation evaluation = common;
-          forces_.load(k, contact, evaluation);
+          load_pair(k, contact, evaluation);
           sums.energy.add(evaluation.energy);
           sums.last_block = std::max(sums.last_block, evaluation.last_block);
         });

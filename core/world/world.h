@@ -21,6 +21,9 @@
 #include "world/motion/penetration_bound.h"
 #include "world/motion/stable_step.h"
 #include "world/relaxation/balance.h"
+#include "world/share/assembly.h"
+#include "world/share/block_record.h"
+#include "world/share/share.h"
 #include "world/stopwatch.h"
 
 namespace halfspace {
@@ -65,6 +68,13 @@ struct Relaxed {
   bool has_failed = false;  // some block has moved beyond max_displacement
   std::int64_t steps = 0;
   Balance balance;
+};
+
+/// What the next motion of a share needs.
+struct SharedMotion {
+  StepResult result = StepResult::ok;  // too_fast: it would have to be divided
+  bool needs_list = false;             // blocks may meet others that are not in the list in use
+  bool needs_assembly = false;         // an entry face has to be told to other shares
 };
 
 /// Maximum number of motions in one call of step().
@@ -174,6 +184,30 @@ class World {
   /// Updates time step, contacts, forces and ledger after edits.
   StepResult prepare();
 
+  // Shares of a world, in world/share: see there.
+  Share& share() { return share_; }
+  /// Names the living blocks, in ascending order.
+  void set_keys(std::span<const std::int64_t> keys);
+  const Share& share() const { return share_; }
+  /// The record of a block, from which assemble() makes it in another world.
+  void record(std::size_t slot, bool with_outline, BlockRecord<D>& out);
+  /// Makes this new and empty world one of the given blocks, in ascending order of keys.
+  AssemblyFault assemble(World& from, std::span<const PackedBlock> blocks);
+  /// prepare() in pieces: contacts and forces; then, with the loads of copies set, accelerations.
+  StepResult begin_in_share();
+  void end_beginning();
+  /// step() in pieces: a prediction; a new list where any share needs one; the motion and its forces; then,
+  /// with the loads of copies set, the velocities at its end.
+  SharedMotion plan_in_share();
+  SharedMotion renew_list_in_share();
+  void move_in_share();
+  void end_step_in_share();
+  /// Replaces the loads of a copy's contacts by those that its owner has computed. `virial`: of an affine
+  /// one.
+  void set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque, const Tensor<D>& virial);
+  /// Twice the largest distance of the centroids of two blocks that the next list may hold.
+  double halo();
+
   // Queries.
   const Blocks<D>& blocks() const { return model_.blocks; }
   std::size_t contact_count() const { return contacts_.count(); }
@@ -214,6 +248,8 @@ class World {
   double largest_overlap() const;
   double largest_speed() const;
   double potential_length() const { return model_.potential_length(); }
+  /// Since the last step or preparation.
+  bool is_changed() const { return edited_ != 0; }
   bool knows_potential() const { return model_.materials.laws().knows_potential(); }
   /// The stable time step for the current contacts, s.
   double stable_time_step() { return stable_step_.bound(); }
@@ -263,6 +299,7 @@ class World {
   void take_in_met(OnContact on_contact);
   void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
+  void load_pair(std::size_t k, const Contact<D>& contact, typename ForcePass<D>::Evaluation& evaluation);
   void load_by_bonds(double elapsed);
   void load_by_water_and_bolts();
   void load_left_out();
@@ -302,7 +339,13 @@ class World {
   StepResult predict_next();
   StepResult divide();
   StepResult diverged() const;
+  StepResult load_changed();
   void move();
+  void move_and_load();
+  void end_motion();
+  AssemblyFault::Kind read_record(World& from, const PackedBlock& block, BlockRecord<D>& out);
+  void take_settings(const World& from, std::span<const PackedBlock> blocks);
+  StepResult division_in_share();
   void lap(Pass pass) {
     if (stopwatch_ && (pass != Pass::hard_contacts || hard_contacts_.is_used())) stopwatch_->lap(pass);
   }
@@ -317,6 +360,7 @@ class World {
   BondPass<D> bond_pass_;
   WaterPass<D> water_pass_;
   Sleep<D> sleep_;
+  Share share_;
   Integrator<D> integrator_;
   HardContacts<D> hard_contacts_;
   StableStep<D> stable_step_;

@@ -39,6 +39,7 @@
 #include "halfspace/plan.h"
 #include "halfspace/query.h"
 #include "halfspace/relax.h"
+#include "halfspace/share.h"
 #include "halfspace/shape.h"
 #include "halfspace/status.h"
 #include "halfspace/strength.h"

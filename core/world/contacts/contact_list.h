@@ -73,16 +73,19 @@ class ContactList {
   Found find(std::size_t k, Contact<D>& contact, PairSums& sums);
   /// Records a pair in contact, with its final description.
   void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
-    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    keep(k, first_of_chunk, sums);
     note_overlap(k, contact, sums);
+  }
+  /// The same without its description.
+  void keep(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
+    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
   }
   void note_overlap(std::size_t k, const Contact<D>& contact, PairSums& sums) const {
     if (is_always_described(neighbors_.pairs()[k]))
       sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
   }
   /// Records a pair that has met. Its entry face is determined once all other contacts are known.
-  void keep_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
-    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+  void note_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     met_in_chunks_[first_of_chunk + sums.met++] = std::uint32_t(k);
   }
   /// The pairs of a chunk that have met, in ascending order.
@@ -97,7 +100,7 @@ class ContactList {
   void keep_as_it_was(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     const Candidate<D>& pair = neighbors_.pairs()[k];
     if (!was_in_contact(pair)) return;
-    found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
+    keep(k, first_of_chunk, sums);
     sums.last_block = std::max(sums.last_block, pair.b);
   }
   /// Collects the contacts of all chunks.
@@ -143,6 +146,21 @@ class ContactList {
   /// Maximum overlap so far, m. Excludes potential laws in 3D, which compute no contacts.
   double peak_overlap() const { return peak_overlap_; }
   void note_overlap(double depth) { peak_overlap_ = std::max(peak_overlap_, depth); }
+
+  bool is_in_contact(std::size_t k) const {
+    return std::binary_search(touching_.begin(), touching_.end(), std::uint32_t(k));
+  }
+  bool is_new(std::size_t slot) const { return slot < new_blocks_.size() && new_blocks_[slot]; }
+
+  // Taking over the contacts of another world, after its list: a mark per block, and the pairs in contact.
+  void add_new_mark(bool is_new) { new_blocks_.push_back(is_new); }
+  void add_contact(std::size_t k) { touching_.push_back(std::uint32_t(k)); }
+  void end_taking_over(const ContactList& from) {
+    any_fresh_ = from.any_fresh_;
+    peak_overlap_ = from.peak_overlap_;
+    found_ = from.found_;
+    fit_room();
+  }
 
   /// State that a step after an edit writes before it moves the blocks, except the pairs.
   auto state() {

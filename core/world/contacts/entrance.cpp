@@ -73,13 +73,19 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
 }
 
 template <int D>
-void Entrances<D>::describe(std::size_t k, std::span<const PairSums> found, Contact<D>& contact) {
+bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
   contacts_.neighbors().index_pairs();
   Candidate<D>& met = contacts_.neighbors().pairs()[k];
-  if (!met.bonded) {
-    const Way way = free_way(met, found);
-    if (way.gap > -HUGE_VAL) met.witness.pair = way.pair;
-  }
+  if (met.bonded) return false;
+  const Way way = free_way(met, found);
+  if (!(way.gap > -HUGE_VAL)) return false;
+  met.witness.pair = way.pair;
+  return true;
+}
+
+template <int D>
+void Entrances<D>::describe(std::size_t k, Contact<D>& contact) {
+  Candidate<D>& met = contacts_.neighbors().pairs()[k];
   const PlacedBlocks<D> at = model_.blocks.placed(met.a, met.b);
   describe_contact<D>(at.a, at.b, at.to_b, met.witness, model_.settings.detect, contact);
 }

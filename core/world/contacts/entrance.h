@@ -16,9 +16,11 @@ class Entrances {
  public:
   Entrances(const Model<D>& model, ContactList<D>& contacts) : model_(model), contacts_(contacts) {}
 
-  /// Caches the entry face of a pair that has met, and computes its contact. `found`: the sums of all chunks
-  /// of pairs, after detection.
-  void describe(std::size_t k, std::span<const PairSums> found, Contact<D>& contact);
+  /// Caches the entry face of a pair that has met, if other contacts of its blocks decide it. Returns whether
+  /// they do. `found`: the sums of all chunks of pairs, after detection.
+  bool find(std::size_t k, std::span<const PairSums> found);
+  /// Computes the contact of a pair that has met.
+  void describe(std::size_t k, Contact<D>& contact);
 
  private:
   struct Way {

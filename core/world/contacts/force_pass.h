@@ -74,6 +74,19 @@ class ForcePass {
   /// including those of the next list.
   void fit_rooms();
 
+  /// The force of a pair in contact.
+  const ContactForce<D>& of_pair(std::size_t k) const { return forces_[k]; }
+  // Taking over the forces of another world, after fit_rooms().
+  void set_force(std::size_t k, const ContactForce<D>& force) { forces_[k] = force; }
+  void end_taking_over(const ForcePass& from) { known_ = from.known_; }
+
+  /// Replaces the sum of a block's loads.
+  void set_load(std::size_t block, const Vector<D>& force, const Angular<D>& torque) {
+    is_loaded_[block / blocks_per_strip] = true;
+    blocks_.force[block] = force;
+    blocks_.torque[block] = torque;
+  }
+
   /// State that a step after an edit writes before it moves the blocks.
   auto state() { return std::tie(forces_, known_, is_loaded_, blocks_.force, blocks_.torque); }
 

@@ -43,21 +43,24 @@ NeighborList<D>::NeighborList(Memory* memory)
       next_pairs_(memory),
       next_shear_(memory) {}
 
+template <int D>
+double NeighborList<D>::median_radius(const Blocks<D>& blocks) {
+  sizes_.clear();
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (blocks.moves_freely(i) && !blocks.is_compound(i)) sizes_.push_back(blocks.radius[i]);
+  }
+  if (sizes_.empty()) return 0;
+  const auto middle = sizes_.begin() + std::ptrdiff_t(sizes_.size() / 2);
+  std::nth_element(sizes_.begin(), middle, sizes_.end());
+  return *middle;
+}
+
 /// The skin is a fraction of the block's size, or of the median size if that is smaller: otherwise a large
 /// plate would list many grains that it never meets. It covers at least as many announced motions as the rule
 /// says, is no smaller than before where the rule says so, and is 0 for a fixed block.
 template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
-  sizes_.clear();
-  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    if (blocks.moves_freely(i) && !blocks.is_compound(i)) sizes_.push_back(blocks.radius[i]);
-  }
-  double typical = 0;
-  if (!sizes_.empty()) {
-    const auto middle = sizes_.begin() + std::ptrdiff_t(sizes_.size() / 2);
-    std::nth_element(sizes_.begin(), middle, sizes_.end());
-    typical = *middle;
-  }
+  const double typical = rule.typical_radius > 0 ? rule.typical_radius : median_radius(blocks);
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     const double planned = displacements_.empty() ? planned_[i] : planned_[i] - displacements_[i].norm();
     const double usual = rule.relative * 2 * std::min(blocks.radius[i], typical);
@@ -225,6 +228,42 @@ void NeighborList<D>::renew(const Blocks<D>& blocks, bool with_shear) noexcept {
   needs_rebuild_ = false;
   is_outrun_ = false;
   ++builds_;
+}
+
+template <int D>
+ListEntry<D> NeighborList<D>::entry_of(std::size_t slot) const {
+  if (slot >= skin_.size()) return {};
+  ListEntry<D> entry{reference_position_[slot], reference_rotation_[slot], Tensor<D>::Identity(), skin_[slot],
+                     safe_displacement_[slot]};
+  if (slot < reference_gradient_.size()) entry.gradient = reference_gradient_[slot];
+  return entry;
+}
+
+template <int D>
+void NeighborList<D>::add_entry(const ListEntry<D>& entry, bool with_gradients) {
+  reference_position_.push_back(entry.position);
+  reference_rotation_.push_back(entry.rotation);
+  if (with_gradients) reference_gradient_.push_back(entry.gradient);
+  skin_.push_back(entry.skin);
+  safe_displacement_.push_back(entry.safe_displacement);
+  planned_.push_back(0);
+}
+
+template <int D>
+void NeighborList<D>::add_pair(const Candidate<D>& pair, const ShearSpring<D>& shear, bool with_shear) {
+  pairs_.push_back(pair);
+  if (with_shear) shear_.push_back(shear);
+}
+
+template <int D>
+void NeighborList<D>::end_taking_over(const NeighborList& from) {
+  min_safe_displacement_ = HUGE_VAL;
+  for (const double calm : safe_displacement_)
+    min_safe_displacement_ = std::min(min_safe_displacement_, calm);
+  room_ = pairs_.size();
+  is_indexed_ = false;
+  needs_rebuild_ = from.needs_rebuild_;
+  builds_ = from.builds_;
 }
 
 template <int D>

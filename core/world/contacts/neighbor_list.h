@@ -37,6 +37,22 @@ struct SkinRule {
   double relative;     // skin over block size
   double motions = 1;  // announced motions that a skin covers at least
   bool may_shrink = true;
+  double typical_radius = 0;  // larger blocks have the skin of one of this radius; 0: the median
+};
+
+/// What the list in use keeps of a block.
+template <int D>
+struct ListEntry {
+  Vector<D> position = Vector<D>::Zero();  // at the last search, as the rotation and the gradient
+  Rotation<D> rotation;
+  Tensor<D> gradient = Tensor<D>::Identity();
+  double skin = 0;
+  double safe_displacement = HUGE_VAL;
+
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(position, rotation, gradient, skin, safe_displacement);
+  }
 };
 
 /// The neighbour list: all pairs that can touch before some block has moved by more than its skin. Sorted by
@@ -93,6 +109,17 @@ class NeighborList {
   void recall_pairs() noexcept;
   /// State that a search writes before it may run out of memory.
   auto skins() { return std::tie(skin_, needs_rebuild_, is_outrun_); }
+
+  /// The median radius of the free blocks.
+  double median_radius(const Blocks<D>& blocks);
+  ListEntry<D> entry_of(std::size_t slot) const;
+  double skin_of(std::size_t slot) const { return slot < skin_.size() ? skin_[slot] : 0; }
+
+  // Taking over a list in use: first the entries of all slots in order, then the pairs in order.
+  void add_entry(const ListEntry<D>& entry, bool with_gradients);
+  void add_pair(const Candidate<D>& pair, const ShearSpring<D>& shear, bool with_shear);
+  void end_taking_over(const NeighborList& from);
+  bool has_gradients() const { return !reference_gradient_.empty(); }
 
   /// Removes the pairs of a removed block.
   void forget(std::int32_t slot);

@@ -45,6 +45,7 @@ std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int
   const std::int32_t slot = model_.blocks.add(shape, kind, material, density(material));
   contacts_.add_fresh(slot, model_.blocks.slot_count());
   contacts_.neighbors().invalidate();
+  share_.forget_keys();
   set_pose(slot, position, rotation);
   return slot;
 }
@@ -53,6 +54,7 @@ template <int D>
 void World<D>::remove_block(std::int32_t slot) {
   model_.actions.end_on_block(slot, model_.blocks);
   model_.blocks.remove(slot);
+  share_.forget_keys();
   model_.bolts.forget(slot);
   // Another block may reuse the slot, so no pair may refer to it.
   contacts_.neighbors().forget(slot);

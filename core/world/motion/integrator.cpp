@@ -116,6 +116,7 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
       const double speed = std::numeric_limits<double>::epsilon() * reach / time_step;
       rounding_energy += blocks_.mass[i] * speed * speed;
     }
+    if (share_.is_copy(i)) continue;
     if (blocks_.is_affine(i)) {
       sample_affine_energy(i, blocks_.velocity[i], blocks_.deformation(i).rate, sample);
     } else {
@@ -174,7 +175,10 @@ void Integrator<D>::kick_and_drift() {
 
 template <int D>
 EnergySample Integrator<D>::kick() {
-  sum_each_block(samples_, [&](std::size_t i, EnergySample& sample) { kick(i, sample); });
+  sum_each_block(samples_, [&](std::size_t i, EnergySample& sample) {
+    EnergySample of_copy;  // its owner counts it
+    kick(i, share_.is_copy(i) ? of_copy : sample);
+  });
   EnergySample all;
   for (const EnergySample& sample : samples_) all.add(sample);
   follow_velocities();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "world/contacts/force_pass.h"
 #include "world/contacts/neighbor_list.h"
@@ -9,6 +10,7 @@
 #include "world/model/model.h"
 #include "world/motion/mesh_motion.h"
 #include "world/motion/sleep.h"
+#include "world/share/share.h"
 
 namespace halfspace {
 
@@ -21,7 +23,7 @@ template <int D>
 class Integrator {
  public:
   Integrator(Model<D>& model, NeighborList<D>& neighbors, const ForcePass<D>& forces, const Sleep<D>& sleep,
-             Threads* threads, Memory* memory)
+             const Share& share, Threads* threads, Memory* memory)
       : kicks_(model.blocks, memory),
         reaction_(model.blocks, memory),
         meshes_(model, forces, kicks_, reaction_, memory),
@@ -31,6 +33,7 @@ class Integrator {
         neighbors_(neighbors),
         forces_(forces),
         sleep_(sleep),
+        share_(share),
         threads_(threads),
         acceleration_(memory),
         momentum_rate_(memory),
@@ -134,6 +137,17 @@ class Integrator {
     meshes_.resize();
   }
 
+  /// A block's acceleration and the rate of its angular momentum, from the last forces.
+  std::pair<Vector<D>, Angular<D>> rates_of(std::size_t block) const {
+    if (block >= acceleration_.size()) return {Vector<D>::Zero(), Angular<D>::Zero()};
+    return {acceleration_[block], momentum_rate_[block]};
+  }
+  void set_rates(std::size_t block, const std::pair<Vector<D>, Angular<D>>& rates) {
+    std::tie(acceleration_[block], momentum_rate_[block]) = rates;
+  }
+  /// Marks the chunks in which any block moves; the others cost nothing.
+  void look_what_moves();
+
   /// The accelerations of all free blocks and nodes.
   auto state() {
     return std::tuple_cat(std::tie(acceleration_, momentum_rate_, blocks_.deformations().all()),
@@ -167,8 +181,6 @@ class Integrator {
     double max_rotation = 0;
   };
 
-  /// Marks the chunks in which any block moves; the others cost nothing.
-  void look_what_moves();
   template <class Sums, class Visit>
   void sum_each_block(Sums& sums, Visit visit) {
     sum_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, sums,
@@ -218,6 +230,7 @@ class Integrator {
   NeighborList<D>& neighbors_;
   const ForcePass<D>& forces_;
   const Sleep<D>& sleep_;
+  const Share& share_;
   Threads* threads_;
   // From the last forces; of prescribed blocks those of their actions, also instead of the momentum's rate.
   Array<Vector<D>> acceleration_;

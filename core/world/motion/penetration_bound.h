@@ -26,6 +26,8 @@ class PenetrationBound {
   /// The ratio of two blocks that have just met; 0 if it cannot exceed the maximum noted so far.
   double of_meeting(const Candidate<D>& pair) const { return most_of(pair) > deepest_ ? of(pair) : 0; }
 
+  double noted() const { return deepest_; }
+
   bool is_consistent() const { return is_nonnegative(deepest_); }
   template <class Archive>
   void visit(Archive& archive) {

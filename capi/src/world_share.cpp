@@ -1,0 +1,344 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "halfspace/share.h"
+#include "sized_struct.h"
+#include "world/snapshot.h"
+#include "world_handle.h"
+
+using namespace halfspace;
+using namespace halfspace::capi;
+
+namespace {
+
+static_assert(int(ShareRole::own) == HS_ROLE_OWN && int(ShareRole::everywhere) == HS_ROLE_EVERYWHERE);
+
+/// Refuses what shares cannot hold.
+template <int D>
+void require_shareable(const World<D>& w) {
+  const Model<D>& model = w.model();
+  const char* found = nullptr;
+  if (!w.meshes().bodies().empty()) found = "meshes";
+  if (!w.bonds().empty()) found = "bonds of bond.h";
+  if (!w.blocks().compounds().empty()) found = "compounds";
+  if (!model.bolts.empty()) found = "bolts";
+  if (!model.actions.empty()) found = "actions";
+  if (model.settings.sleep_tolerance > 0) found = "sleep";
+  if (model.materials.laws().knows_no_spring()) found = "laws without springs";
+  if (found) refuse(HS_ERROR_STATE, "the world has %s, which shares cannot hold", found);
+  if (!(model.settings.time_step > 0))
+    refuse(HS_ERROR_STATE, "the world has no given time step; shares need one, which is the same in all");
+}
+
+template <int D>
+ShareRole role_of(const World<D>& w, std::size_t slot) {
+  return w.blocks().moves_freely(slot) ? w.share().role_of(slot) : ShareRole::everywhere;
+}
+
+template <int D>
+std::int32_t load_length_of(const World<D>& w) {
+  bool is_elastic = false;
+  for (std::int32_t m = 0; m < w.material_count(); ++m) is_elastic |= w.elasticity(m).is_given();
+  return (D == 2 ? 3 : 6) + (is_elastic ? D * D : 0);
+}
+
+/// The slot of a key whose block has a role for which `is_right` holds.
+template <int D, class IsRight>
+std::size_t slot_of_key(const World<D>& w, const std::int64_t keys[], std::int64_t i, const char* wanted,
+                        IsRight is_right) {
+  const std::int32_t slot = w.share().slot_of(keys[i], w.blocks().slot_count());
+  if (slot < 0 || !w.blocks().lives(std::size_t(slot)) || !is_right(role_of(w, std::size_t(slot)))) {
+    refuse(HS_ERROR_STALE_ID, "keys[%lld] is %lld; no %s has that key", static_cast<long long>(i),
+           static_cast<long long>(keys[i]), wanted);
+  }
+  return std::size_t(slot);
+}
+
+void require_piece(bool is_right, const char* wanted) {
+  if (!is_right) refuse(HS_ERROR_STATE, "the step is not at this piece; call %s first", wanted);
+}
+
+template <int D>
+void require_loads_computed(const World<D>& w) {
+  const ShareStage stage = w.share().stage();
+  require_piece(stage == ShareStage::begun || stage == ShareStage::moved,
+                "hs_world_begin() or hs_world_move()");
+}
+
+hs_share_plan plan_of(const SharedMotion& motion) {
+  const hs_status refusal = motion.result == StepResult::ok         ? HS_OK
+                            : motion.result == StepResult::too_fast ? HS_ERROR_TOO_FAST
+                                                                    : HS_ERROR_UNSTABLE;
+  return {motion.needs_list, motion.needs_assembly, refusal, 0};
+}
+
+template <int D>
+void enter_planned(World<D>& w, const SharedMotion& motion) {
+  w.share().enter(motion.result == StepResult::ok ? ShareStage::planned : ShareStage::ready);
+}
+
+[[noreturn]] void refuse_assembly(const AssemblyFault& fault, std::span<const PackedBlock> blocks) {
+  const auto i = static_cast<long long>(fault.block);
+  const auto key = static_cast<long long>(blocks.empty() ? -1 : blocks[fault.block].key);
+  switch (fault.kind) {
+    case AssemblyFault::unknown_block:
+      refuse(HS_ERROR_STALE_ID, "blocks[%lld] has key %lld and no bytes; it is no own block of from", i, key);
+    case AssemblyFault::unknown_outline:
+      refuse(HS_ERROR_STALE_ID, "blocks[%lld] has key %lld and bytes without a shape; from has no such block",
+             i, key);
+    case AssemblyFault::wrong_role:
+      refuse(
+          HS_ERROR_ARGUMENT,
+          "blocks[%lld].role is %d; fixed and prescribed blocks are everywhere, all others own or neighbours",
+          i, int(blocks[fault.block].role));
+    case AssemblyFault::damaged_record:
+      refuse(HS_ERROR_FORMAT, "blocks[%lld].bytes do not hold the record of a block with key %lld", i, key);
+    default:
+      refuse(HS_ERROR_FORMAT, "the bytes of the blocks do not hold a valid state of a world");
+  }
+}
+
+std::span<const std::byte> bytes_of(const hs_packed& block) {
+  return {static_cast<const std::byte*>(block.bytes), block.bytes ? block.size : 0};
+}
+
+template <int D>
+hs_world* assemble(hs_context* context, World<D>& from, const hs_packed blocks[], std::int64_t count) {
+  require_shareable(from);
+  Array<PackedBlock> packed(&context->memory);
+  packed.reserve(std::size_t(count));
+  for (std::int64_t i = 0; i < count; ++i) {
+    const hs_packed& block = blocks[i];
+    const auto at = static_cast<long long>(i);
+    if (i > 0 && block.key <= blocks[i - 1].key) {
+      refuse(HS_ERROR_ARGUMENT, "blocks[%lld].key is %lld; it must be above that of the block before", at,
+             static_cast<long long>(block.key));
+    }
+    if (block.role < HS_ROLE_OWN || block.role > HS_ROLE_EVERYWHERE)
+      refuse(HS_ERROR_ARGUMENT, "blocks[%lld].role is %d; it must be an HS_ROLE_ value", at, block.role);
+    packed.push_back({block.key, ShareRole(block.role), bytes_of(block)});
+  }
+  WorldHandle<D>* share = create<WorldHandle<D>>(context, context, WorldSettings<D>());
+  try {
+    const AssemblyFault fault = share->world.assemble(from, packed);
+    if (fault.kind != AssemblyFault::none) refuse_assembly(fault, packed);
+  } catch (...) {
+    destroy(context, share);
+    throw;
+  }
+  return share;
+}
+
+}  // namespace
+
+hs_status hs_world_set_keys(hs_world* world, const int64_t keys[], int64_t count) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_whole(w, "its keys are those that it was assembled with");
+    if (count != w.blocks().count()) {
+      refuse(HS_ERROR_ARGUMENT, "count is %lld; the world has %lld blocks", static_cast<long long>(count),
+             static_cast<long long>(w.blocks().count()));
+    }
+    if (count > 0) require_pointer(keys, "keys");
+    for (std::int64_t i = 1; i < count; ++i) {
+      if (keys[i] <= keys[i - 1]) {
+        refuse(HS_ERROR_ARGUMENT, "keys[%lld] is %lld; it must be above the key before",
+               static_cast<long long>(i), static_cast<long long>(keys[i]));
+      }
+    }
+    w.set_keys({keys, std::size_t(count)});
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_keys(const hs_world* world, int64_t keys[], int64_t capacity, int64_t* count) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(keys, "keys");
+    return write_blocks(w.blocks(), capacity, count,
+                        [&](std::int64_t i, std::size_t s) { keys[i] = w.share().key_of(s); });
+  });
+}
+
+hs_status hs_world_get_roles(const hs_world* world, int32_t roles[], int64_t capacity, int64_t* count) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(roles, "roles");
+    return write_blocks(w.blocks(), capacity, count,
+                        [&](std::int64_t i, std::size_t s) { roles[i] = std::int32_t(role_of(w, s)); });
+  });
+}
+
+hs_status hs_world_get_share_info(hs_world* world, hs_share_info* info, size_t size) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_pointer(info, "info");
+    require_report_size(size, offsetof(hs_share_info, halo) + sizeof(double));
+    std::int64_t of_role[3] = {};
+    for_each_block(w.blocks(),
+                   [&](std::int64_t, std::int32_t slot) { ++of_role[int(role_of(w, std::size_t(slot)))]; });
+    const hs_share_info ours{of_role[HS_ROLE_OWN],
+                             of_role[HS_ROLE_NEIGHBOR],
+                             of_role[HS_ROLE_EVERYWHERE],
+                             w.share().lost_pairs(),
+                             load_length_of(w),
+                             w.share().is_whole(),
+                             w.halo()};
+    write_sized(ours, info, size);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, int32_t with_shapes,
+                        void* bytes, size_t capacity, size_t ends[], size_t* needed) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_count(count, "count");
+    if (count > 0) require_pointer(keys, "keys");
+    require_pointer(needed, "needed");
+    if (capacity > 0) require_pointer(bytes, "bytes");
+    if (with_shapes != 0 && with_shapes != 1)
+      refuse(HS_ERROR_ARGUMENT, "with_shapes is %d; it must be 0 or 1", with_shapes);
+    BlockRecord<D> record(&world->context->memory);
+    std::size_t all = 0;
+    bool has_room = true;
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::size_t slot = slot_of_key(w, keys, i, "own block and none that is everywhere",
+                                           [](ShareRole role) { return role != ShareRole::neighbor; });
+      w.record(slot, with_shapes != 0, record);
+      snapshot::Writer counter(nullptr);
+      counter(record);
+      has_room = has_room && counter.size() <= capacity - all;
+      if (has_room) snapshot::Writer(static_cast<std::byte*>(bytes) + all)(record);
+      all += counter.size();
+      if (ends) ends[i] = all;
+    }
+    *needed = all;
+    return has_room ? HS_OK : HS_NOTE_TRUNCATED;
+  });
+}
+
+hs_status hs_world_assemble(hs_context* context, hs_world* from, const hs_packed blocks[], int64_t count,
+                            hs_world** share) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require_pointer(from, "from");
+    require_pointer(share, "share");
+    require_count(count, "count");
+    if (count > 0) require_pointer(blocks, "blocks");
+    *share = visit(*from, [&]<int D>(World<D>& w) { return assemble(context, w, blocks, count); });
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_begin(hs_world* world) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_shareable(w);
+    const StepResult result = w.begin_in_share();
+    if (result != StepResult::ok) refuse(HS_ERROR_STATE, "the world has no time step");
+    w.share().enter(ShareStage::begun);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_end_begin(hs_world* world) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_piece(w.share().stage() == ShareStage::begun, "hs_world_begin()");
+    w.end_beginning();
+    w.share().enter(ShareStage::ready);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_plan_motion(hs_world* world, hs_share_plan* plan) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_pointer(plan, "plan");
+    require_shareable(w);
+    const ShareStage stage = w.share().stage();
+    require_piece(!w.is_changed(), "hs_world_begin() and hs_world_end_begin()");
+    require_piece(stage == ShareStage::ready || stage == ShareStage::planned, "hs_world_end_step()");
+    const SharedMotion motion = w.plan_in_share();
+    *plan = plan_of(motion);
+    enter_planned(w, motion);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_renew_list(hs_world* world, hs_share_plan* plan) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_pointer(plan, "plan");
+    require_piece(w.share().stage() == ShareStage::planned, "hs_world_plan_motion()");
+    const SharedMotion motion = w.renew_list_in_share();
+    *plan = plan_of(motion);
+    enter_planned(w, motion);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_move(hs_world* world) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_piece(w.share().stage() == ShareStage::planned && !w.is_changed(), "hs_world_plan_motion()");
+    require_piece(!w.candidates().needs_rebuild(), "hs_world_renew_list()");
+    w.move_in_share();
+    w.share().enter(ShareStage::moved);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_loads(const hs_world* world, const int64_t keys[], int64_t count, double loads[]) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(count, "count");
+    if (count > 0) require_pointer(keys, "keys");
+    if (count > 0) require_pointer(loads, "loads");
+    require_loads_computed(w);
+    const std::int32_t length = load_length_of(w);
+    const Blocks<D>& blocks = w.blocks();
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::size_t s =
+          slot_of_key(w, keys, i, "own block", [](ShareRole role) { return role == ShareRole::own; });
+      double* out = loads + i * length;
+      out = std::copy_n(blocks.force[s].data(), D, out);
+      out = std::copy_n(blocks.torque[s].data(), blocks.torque[s].size(), out);
+      if (out == loads + (i + 1) * length) continue;
+      const Tensor<D> virial =
+          blocks.is_affine(s) ? blocks.deformation(s).virial : Tensor<D>(Tensor<D>::Zero());
+      for (int row = 0; row < D; ++row)
+        for (int column = 0; column < D; ++column) *out++ = virial(row, column);
+    }
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_loads(hs_world* world, const int64_t keys[], int64_t count, const double loads[]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_count(count, "count");
+    if (count > 0) require_pointer(keys, "keys");
+    if (count > 0) require_pointer(loads, "loads");
+    require_loads_computed(w);
+    const std::int32_t length = load_length_of(w);
+    const auto slot = [&](std::int64_t i) {
+      return slot_of_key(w, keys, i, "copy", [](ShareRole role) { return role == ShareRole::neighbor; });
+    };
+    for (std::int64_t i = 0; i < count; ++i) static_cast<void>(slot(i));  // before any changes
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double* in = loads + i * length;
+      const Vector<D> force = Eigen::Map<const Vector<D>>(in);
+      in += D;
+      const Angular<D> torque = Eigen::Map<const Angular<D>>(in);
+      in += torque.size();
+      Tensor<D> virial = Tensor<D>::Zero();
+      if (in != loads + (i + 1) * length) {
+        for (int row = 0; row < D; ++row)
+          for (int column = 0; column < D; ++column) virial(row, column) = *in++;
+      }
+      w.set_loads(slot(i), force, torque, virial);
+    }
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_end_step(hs_world* world) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_piece(w.share().stage() == ShareStage::moved, "hs_world_move()");
+    w.end_step_in_share();
+    w.share().enter(ShareStage::ready);
+    return HS_OK;
+  });
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "world/share/share.h"
+
+namespace halfspace {
+
+/// A block of a world to be assembled.
+struct PackedBlock {
+  std::int64_t key = 0;
+  ShareRole role = ShareRole::own;
+  std::span<const std::byte>
+      bytes;  // its record; empty: as the world has it from which the share is assembled
+};
+
+/// Why a world cannot be assembled, and at which of its blocks.
+struct AssemblyFault {
+  enum Kind {
+    none,
+    unknown_block,    // without a record, and not one of the other world's own blocks
+    unknown_outline,  // the record has no outline, and the other world has no such block
+    damaged_record,
+    wrong_role,  // own and copied blocks move freely, others are everywhere
+    inconsistent_state
+  };
+  Kind kind = none;
+  std::size_t block = 0;
+};
+
+}  // namespace halfspace

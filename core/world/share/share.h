@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// What a block is in a share of a world. The values are those of the C API.
+enum class ShareRole : std::int32_t {
+  own = 0,        // this share loads it and counts its energy
+  neighbor = 1,   // a copy: it moves alike, and its loads come from the share that owns it
+  everywhere = 2  // fixed or prescribed, in all shares
+};
+
+/// The stages of a step in pieces.
+enum class ShareStage { ready, begun, planned, moved };
+
+// A world may be a share of a larger one: some of its blocks are its own, and others are copies, as far as
+// two pairs of the neighbour list away from an own one:
+//
+//   ring 0   own blocks: all their pairs are here, so their loads are complete
+//   ring 1   copies that have a pair with an own block
+//   ring 2   copies that have a pair with ring 1
+//
+// The entry face of a pair that meets depends on the other contacts of both blocks (Entrances), so the memory
+// of the pairs of ring 1 has to be exact as well. It is, because their contacts are found and loaded from the
+// same poses and velocities as by their owner, except where such a pair meets: its entry face depends on
+// ring 2. The owner then asks for an assembly before the next motion, which brings the memory of its pairs.
+
+/// The roles of a world's blocks, if it is a share of a larger world.
+class Share {
+ public:
+  explicit Share(Memory* memory) : keys_(memory), roles_(memory), rings_(memory), is_border_(memory) {}
+
+  /// All blocks are own ones.
+  bool is_whole() const { return roles_.empty(); }
+  bool is_own(std::size_t slot) const { return is_whole() || roles_[slot] == ShareRole::own; }
+  bool is_copy(std::size_t slot) const { return !is_whole() && roles_[slot] == ShareRole::neighbor; }
+  ShareRole role_of(std::size_t slot) const { return is_whole() ? ShareRole::own : roles_[slot]; }
+
+  /// Does a pair load an own block?
+  template <class Pair>
+  bool loads(const Pair& pair) const {
+    return is_own(std::size_t(pair.a)) || is_own(std::size_t(pair.b));
+  }
+  /// Are the energies of a pair counted here? Of two shares that load a pair, the owner of its first block
+  /// counts them.
+  template <class Pair>
+  bool counts(const Pair& pair) const {
+    return is_own(std::size_t(pair.a)) || (!is_copy(std::size_t(pair.a)) && is_own(std::size_t(pair.b)));
+  }
+  /// Is the memory of a pair exact here? Others are not computed.
+  template <class Pair>
+  bool follows(const Pair& pair) const {
+    return is_whole() || rings_[std::size_t(pair.a)] < 2 || rings_[std::size_t(pair.b)] < 2;
+  }
+
+  /// The name of a block in all shares; without keys its place among the blocks.
+  std::int64_t key_of(std::size_t slot) const { return keys_.empty() ? std::int64_t(slot) : keys_[slot]; }
+  /// The slot of a key among so many; -1: none.
+  std::int32_t slot_of(std::int64_t key, std::size_t slots) const;
+  /// In ascending order. Empty: places.
+  void set_keys(std::span<const std::int64_t> keys) { keys_.assign(keys.begin(), keys.end()); }
+  void forget_keys() { keys_.clear(); }
+
+  void reserve(std::size_t slots) {
+    keys_.reserve(slots);
+    roles_.reserve(slots);
+  }
+  void add(std::int64_t key, ShareRole role) {
+    keys_.push_back(key);
+    roles_.push_back(role);
+  }
+  /// Call when all blocks have been added. With all blocks of the world, and no copies, a share is whole.
+  void end_adding(std::int64_t blocks_in_all, double typical_radius);
+
+  /// Finds the rings, and which own blocks are in ring 1 of another share. `pairs`: of the list in use.
+  template <class Pairs>
+  void find_rings(const Pairs& pairs) {
+    if (is_whole()) return;
+    rings_.assign(roles_.size(), 2);
+    is_border_.assign(roles_.size(), 0);
+    for (std::size_t i = 0; i < roles_.size(); ++i) {
+      if (is_own(i)) rings_[i] = 0;
+    }
+    for (const auto& pair : pairs) {
+      const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+      meet(a, b);
+      meet(b, a);
+    }
+  }
+  /// An entry face has followed from the contacts of an own pair's blocks. Other shares that compute the pair
+  /// cannot know it.
+  template <class Pair>
+  void note_entrance(const Pair& pair) {
+    if (!is_whole() && (is_border_[std::size_t(pair.a)] || is_border_[std::size_t(pair.b)]))
+      needs_assembly_ = true;
+  }
+  /// `missing`: per block, how many of its pairs are with blocks that are not here. Call after find_rings().
+  void note_missing(std::span<const std::int32_t> missing);
+  bool needs_assembly() const { return needs_assembly_; }
+
+  ShareStage stage() const { return stage_; }
+  void enter(ShareStage stage) { stage_ = stage; }
+
+  /// The number of blocks of all shares, copies not counted; 0: this is the whole world.
+  std::int64_t blocks_in_all() const { return blocks_in_all_; }
+  /// The median radius of the free blocks of all shares; 0: this is the whole world.
+  double typical_radius() const { return typical_radius_; }
+  /// Pairs of rings 0 and 1 whose other block is not here: the copies do not reach far enough.
+  std::int64_t lost_pairs() const { return lost_pairs_; }
+
+ private:
+  /// An own block has a pair with another block.
+  void meet(std::size_t own, std::size_t other) {
+    if (!is_own(own) || !is_copy(other)) return;
+    rings_[other] = 1;
+    is_border_[own] = 1;
+  }
+
+  Array<std::int64_t> keys_;  // per slot; empty: places
+  Array<ShareRole> roles_;    // per slot; empty: all are own
+  Array<std::uint8_t> rings_;
+  Array<std::uint8_t> is_border_;
+  std::int64_t blocks_in_all_ = 0;
+  double typical_radius_ = 0;
+  std::int64_t lost_pairs_ = 0;
+  bool needs_assembly_ = false;
+  ShareStage stage_ = ShareStage::ready;
+};
+
+}  // namespace halfspace

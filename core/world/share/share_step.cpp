@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <limits>
+
+#include "world/world.h"
+
+// A step of a share, in pieces, between which the host carries bytes. The pieces are those of World::step()
+// in one motion: what would divide it is refused.
+
+namespace halfspace {
+
+template <int D>
+void World<D>::set_keys(std::span<const std::int64_t> keys) {
+  const Blocks<D>& blocks = model_.blocks;
+  Array<std::int64_t> of_slots(blocks.kind.get_allocator());
+  of_slots.reserve(blocks.slot_count());
+  std::int64_t last = std::numeric_limits<std::int64_t>::min();  // free slots repeat the key before
+  auto next = keys.begin();
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i)
+    of_slots.push_back(last = blocks.lives(i) ? *next++ : last);
+  share_.set_keys(of_slots);
+}
+
+template <int D>
+StepResult World<D>::begin_in_share() {
+  if (!edited_) return StepResult::ok;
+  renew_neighbors_if_needed();
+  if (contacts_.has_new_blocks()) make_bonds();
+  return load_changed();
+}
+
+/// Would the predicted motion have to be divided?
+template <int D>
+StepResult World<D>::division_in_share() {
+  const auto goes_far = [&](std::size_t i) {
+    return model_.blocks.moves(i) && contacts_.neighbors().announced_motion(i) > model_.blocks.radius[i];
+  };
+  bool is_far = integrator_.max_rotation() > max_turn;
+  for (std::size_t i = 0; i < model_.blocks.slot_count() && !is_far; ++i) is_far = goes_far(i);
+  const bool is_fast = is_far || (continuous_collision_.any() && continuous_collision_.safe_fraction() < 1);
+  return is_fast ? StepResult::too_fast : StepResult::ok;
+}
+
+template <int D>
+SharedMotion World<D>::plan_in_share() {
+  SharedMotion motion;
+  motion.needs_assembly = share_.needs_assembly();
+  const double duration = clock_.rest();
+  hard_contacts_.begin(duration);
+  if (!integrator_.predict(duration)) {
+    motion.result = StepResult::unstable;
+    return motion;
+  }
+  motion.needs_list = contacts_.neighbors().needs_rebuild();
+  if (!motion.needs_list) motion.result = division_in_share();
+  return motion;
+}
+
+template <int D>
+SharedMotion World<D>::renew_list_in_share() {
+  renew_neighbors();
+  SharedMotion motion;
+  motion.result = division_in_share();
+  return motion;
+}
+
+template <int D>
+void World<D>::move_in_share() {
+  move_and_load();
+}
+
+template <int D>
+void World<D>::end_step_in_share() {
+  end_motion();
+  clock_.complete_step();
+}
+
+template <int D>
+void World<D>::set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque,
+                         const Tensor<D>& virial) {
+  forces_.set_load(slot, force, torque);
+  if (model_.blocks.is_affine(slot)) model_.blocks.deformation(slot).virial = virial;
+}
+
+/// Two pairs of the list away: Share says why. A pair holds blocks whose gap is at most both skins when the
+/// list is made, and each moves by its skin while the list is in use.
+template <int D>
+double World<D>::halo() {
+  const Blocks<D>& blocks = model_.blocks;
+  NeighborList<D>& neighbors = contacts_.neighbors();
+  const double typical =
+      share_.typical_radius() > 0 ? share_.typical_radius() : neighbors.median_radius(blocks);
+  double reach = 0;
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (!blocks.moves_freely(i)) continue;
+    const double usual = model_.settings.skin * 2 * std::min(blocks.radius[i], typical);
+    const double planned = i < neighbors.list_length() ? neighbors.announced_motion(i) : 0;
+    reach = std::max(reach, blocks.radius[i] + 2 * std::max({usual, planned, neighbors.skin_of(i)}));
+  }
+  return 4 * reach;
+}
+
+#define HALFSPACE_MEMBERS(D)                                                                             \
+  template void World<D>::set_keys(std::span<const std::int64_t>);                                       \
+  template StepResult World<D>::begin_in_share();                                                        \
+  template StepResult World<D>::division_in_share();                                                     \
+  template SharedMotion World<D>::plan_in_share();                                                       \
+  template SharedMotion World<D>::renew_list_in_share();                                                 \
+  template void World<D>::move_in_share();                                                               \
+  template void World<D>::end_step_in_share();                                                           \
+  template void World<D>::set_loads(std::size_t, const Vector<D>&, const Angular<D>&, const Tensor<D>&); \
+  template double World<D>::halo();
+
+HALFSPACE_MEMBERS(2)
+HALFSPACE_MEMBERS(3)
+#undef HALFSPACE_MEMBERS
+
+}  // namespace halfspace
