@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 
 #include "halfspace/share.h"
@@ -11,6 +14,7 @@ using namespace halfspace::capi;
 
 namespace {
 
+static_assert(sizeof(EnergyLedger::Sums) == HS_SUM_COUNT * sizeof(double));
 static_assert(int(ShareRole::own) == HS_ROLE_OWN && int(ShareRole::everywhere) == HS_ROLE_EVERYWHERE);
 
 /// Refuses what shares cannot hold.
@@ -224,6 +228,30 @@ hs_status hs_world_assemble(hs_context* context, hs_world* from, const hs_packed
     require_count(count, "count");
     if (count > 0) require_pointer(blocks, "blocks");
     *share = visit(*from, [&]<int D>(World<D>& w) { return assemble(context, w, blocks, count); });
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_pointer(sums, "sums");
+    const auto ours = std::bit_cast<std::array<double, HS_SUM_COUNT>>(w.ledger_sums());
+    std::copy(ours.begin(), ours.end(), sums);
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_pointer(sums, "sums");
+    require_joined(w);
+    std::array<double, HS_SUM_COUNT> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!std::isfinite(sums[i]))
+        refuse(HS_ERROR_ARGUMENT, "sums[%zu] is %g; it must be finite", i, sums[i]);
+      all[i] = sums[i];
+    }
+    w.set_ledger_sums(std::bit_cast<EnergyLedger::Sums>(all));
     return HS_OK;
   });
 }

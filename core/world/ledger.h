@@ -120,6 +120,18 @@ class EnergyLedger {
   /// State that is written before a motion.
   auto state() { return std::tie(entries_, noise_energy_, residual_before_edit_, power_); }
 
+  /// All numbers of the ledger: those of shares of a world add up to those of the whole.
+  struct Sums {
+    Ledger entries;
+    double noise_energy;
+    double residual_before_edit;
+    Power power;
+  };
+  Sums sums() const { return {entries_, noise_energy_, residual_before_edit_, power_}; }
+  void set_sums(const Sums& sums) {
+    state() = std::tie(sums.entries, sums.noise_energy, sums.residual_before_edit, sums.power);
+  }
+
   template <class Archive>
   void visit(Archive& archive) {
     archive(entries_, noise_energy_, residual_before_edit_, power_);

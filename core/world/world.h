@@ -205,6 +205,8 @@ class World {
   /// Replaces the loads of a copy's contacts by those that its owner has computed. `virial`: of an affine
   /// one.
   void set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque, const Tensor<D>& virial);
+  EnergyLedger::Sums ledger_sums() const { return ledger_.sums(); }
+  void set_ledger_sums(const EnergyLedger::Sums& sums) { ledger_.set_sums(sums); }
   /// Twice the largest distance of the centroids of two blocks that the next list may hold.
   double halo();
 

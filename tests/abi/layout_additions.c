@@ -71,6 +71,28 @@ FIELD(hs_closest_points, point_a, 8, 24);
 FIELD(hs_closest_points, point_b, 32, 24);
 FIELD(hs_closest_points, normal, 56, 24);
 
+_Static_assert(sizeof(hs_packed) == 32, "hs_packed");
+FIELD(hs_packed, key, 0, 8);
+FIELD(hs_packed, bytes, 8, 8);
+FIELD(hs_packed, size, 16, 8);
+FIELD(hs_packed, role, 24, 4);
+FIELD(hs_packed, reserved, 28, 4);
+
+_Static_assert(sizeof(hs_share_info) == 48, "hs_share_info");
+FIELD(hs_share_info, own_count, 0, 8);
+FIELD(hs_share_info, neighbor_count, 8, 8);
+FIELD(hs_share_info, everywhere_count, 16, 8);
+FIELD(hs_share_info, lost_pairs, 24, 8);
+FIELD(hs_share_info, load_length, 32, 4);
+FIELD(hs_share_info, is_whole, 36, 4);
+FIELD(hs_share_info, halo, 40, 8);
+
+_Static_assert(sizeof(hs_share_plan) == 16, "hs_share_plan");
+FIELD(hs_share_plan, needs_list, 0, 4);
+FIELD(hs_share_plan, needs_assembly, 4, 4);
+FIELD(hs_share_plan, refusal, 8, 4);
+FIELD(hs_share_plan, reserved, 12, 4);
+
 _Static_assert(sizeof(hs_water_def) >= 24, "hs_water_def");
 FIELD(hs_water_def, struct_size, 0, 4);
 FIELD(hs_water_def, columns, 4, 4);
@@ -93,3 +115,7 @@ _Static_assert(HS_PLACE_FIXED == 2, "HS_PLACE_FIXED");
 
 _Static_assert(HS_PART_WATER == 1024, "HS_PART_WATER");
 _Static_assert(HS_PART_BOLTS == 2048, "HS_PART_BOLTS");
+
+_Static_assert(HS_ROLE_OWN == 0, "HS_ROLE_OWN");
+_Static_assert(HS_ROLE_NEIGHBOR == 1, "HS_ROLE_NEIGHBOR");
+_Static_assert(HS_ROLE_EVERYWHERE == 2, "HS_ROLE_EVERYWHERE");

@@ -112,7 +112,18 @@ class SplitWorld {
     std::vector<Sent> all;
     for (std::size_t i = 1; i < shares_.size(); ++i)
       send(i, keys_with(world(i), HS_ROLE_OWN), HS_ROLE_OWN, all);
-    return assembled(0, keys_with(world(0), HS_ROLE_OWN), all);
+    World whole = assembled(0, keys_with(world(0), HS_ROLE_OWN), all);
+    shares_.front().ok(hs_world_set_sums(whole.get(), sums().data()));
+    return whole;
+  }
+  /// Energies and losses of all shares together.
+  std::vector<double> sums() const {
+    std::vector<double> sums(HS_SUM_COUNT), own(HS_SUM_COUNT);
+    for (const Share& share : shares_) {
+      share.ok(hs_world_get_sums(share.world.get(), own.data()));
+      for (std::size_t i = 0; i < own.size(); ++i) sums[i] += own[i];
+    }
+    return sums;
   }
   hs_context* context() const { return shares_.front().context.get(); }
 
@@ -259,7 +270,7 @@ class SplitWorld {
   std::size_t cut_before(std::size_t share, std::size_t blocks) const {
     const std::size_t count = shares_.size();
     if (share == 0 || share == count) return share == 0 ? 0 : blocks;
-    return blocks * share / count + std::size_t(assemblies_) % std::max<std::size_t>(1, blocks / count / 4);
+    return blocks * share / count + std::size_t(assemblies_) % std::max<std::size_t>(1, blocks / count / 2);
   }
   std::size_t owner_of(std::size_t i, std::size_t blocks) const {
     std::size_t owner = 0;

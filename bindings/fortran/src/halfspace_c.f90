@@ -175,6 +175,11 @@ module halfspace_c
   !> largest ratio of a single block or node; for negligible forces relative to the mean force
   integer(c_int32_t), parameter :: HS_UNBALANCED_LARGEST = 1
 
+  !> What a block is in a share.
+  integer(c_int32_t), parameter :: HS_ROLE_OWN = 0  !< this share loads, counts and packs it
+  integer(c_int32_t), parameter :: HS_ROLE_NEIGHBOR = 1  !< a copy: it moves alike, and its loads come from the share that owns it
+  integer(c_int32_t), parameter :: HS_ROLE_EVERYWHERE = 2  !< fixed and prescribed blocks: in all shares, without loads of their own
+
   !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
   type, bind(c) :: hs_view
     type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
@@ -754,6 +759,46 @@ module halfspace_c
     !> block that largest_force acts on; for a node, one of its surface blocks; 0: none
     integer(c_int64_t) :: largest_force_block = 0
   end type hs_balance
+
+  !> A block of a share to be assembled.
+  type, bind(c) :: hs_packed
+    integer(c_int64_t) :: key = 0  !< name of the block in all shares
+    type(c_ptr) :: bytes = c_null_ptr  !< from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
+    integer(c_size_t) :: size = 0  !< of the bytes; 0 if they are NULL
+    integer(c_int32_t) :: role = 0  !< an HS_ROLE_ value
+    integer(c_int32_t) :: reserved = 0
+  end type hs_packed
+
+  !> A share, and how far its copies must reach.
+  type, bind(c) :: hs_share_info
+    integer(c_int64_t) :: own_count = 0  !< blocks by role, HS_ROLE_OWN; in a whole world all that move freely
+    integer(c_int64_t) :: neighbor_count = 0  !< HS_ROLE_NEIGHBOR
+    integer(c_int64_t) :: everywhere_count = 0  !< HS_ROLE_EVERYWHERE
+    !> pairs of own blocks and of their neighbours whose other block is not here: the copies do not reach far
+    !! enough. 0 in a sound run
+    integer(c_int64_t) :: lost_pairs = 0
+    integer(c_int32_t) :: load_length = 0  !< numbers per block of hs_world_get_loads(), the same in all shares
+    integer(c_int32_t) :: is_whole = 0  !< 1: all blocks of the world are here and own
+    !> a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m; of
+    !! all shares the largest counts. Twice as far as a pair of the next list. Call after
+    !! hs_world_plan_motion()
+    real(c_double) :: halo = 0.0_c_double
+  end type hs_share_info
+
+  !> What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+  !! first two, and the minimum of `refusal`.
+  type, bind(c) :: hs_share_plan
+    !> 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and
+    !! renew their lists
+    integer(c_int32_t) :: needs_list = 0
+    !> 1: a pair has met in a way that copies cannot know: all shares are assembled and plan again
+    integer(c_int32_t) :: needs_assembly = 0
+    !> HS_OK, or the error with which hs_world_move() would end: HS_ERROR_TOO_FAST, a block moves by more than
+    !! its radius, turns by more than 1 rad, or approaches another so fast that the step would be divided;
+    !! HS_ERROR_UNSTABLE, the motion is not finite
+    integer(c_int32_t) :: refusal = 0
+    integer(c_int32_t) :: reserved = 0
+  end type hs_share_plan
 
   !> Settings of the search for the factor of safety. Fill it with hs_strength_def_init().
   type, bind(c) :: hs_strength_def
@@ -2197,6 +2242,161 @@ module halfspace_c
       real(c_double), value :: time_step  !< s, > 0, or 0: hs_world_def.safety times the stable time step
       integer(c_int32_t) :: hs_world_set_time_step
     end function hs_world_set_time_step
+
+    !> Names the blocks, so that loads are summed in the same order in all shares. By default a block's key is
+    !! its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_set_keys(world, keys, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< whole, not a share
+      type(c_ptr), value :: keys  !< ascending, in the order of hs_world_get_blocks()
+      integer(c_int64_t), value :: count  !< the number of blocks
+      integer(c_int32_t) :: hs_world_set_keys
+    end function hs_world_set_keys
+
+    !> Returns the keys of all blocks, in the order of hs_world_get_blocks(), which is ascending.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_keys(world, keys, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: keys  !< receives up to `capacity` keys; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in keys
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_keys
+    end function hs_world_get_keys
+
+    !> Returns the roles of all blocks, HS_ROLE_ values, in the order of hs_world_get_blocks(). In a whole
+    !! world fixed and prescribed blocks are everywhere, all others own.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_roles(world, roles, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: roles  !< receives up to `capacity` roles; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in roles
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_roles
+    end function hs_world_get_roles
+
+    !> Describes a share.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_share_info(world, info, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< a share or a whole world
+      type(hs_share_info), intent(out) :: info  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_share_info)
+      integer(c_int32_t) :: hs_world_get_share_info
+    end function hs_world_get_share_info
+
+    !> Packs blocks, one after the other: their motion, their entries in the list of pairs, and the memory of
+    !! their pairs, in the machine's format of numbers. Only a block's own share packs it, or any for blocks
+    !! that are everywhere.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED (then the bytes are those of the first blocks, and worthless),
+    !! HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_pack(world, keys, count, with_shapes, bytes, capacity, ends, needed) bind(c)
+      import
+      type(c_ptr), value :: world  !< a share or a whole world
+      type(c_ptr), value :: keys  !< of the blocks, in any order
+      integer(c_int64_t), value :: count  !< number of keys
+      integer(c_int32_t), value :: with_shapes  !< 1: with their outlines, for shares that do not have the block; 0: without
+      type(c_ptr), value :: bytes  !< receives up to `capacity` bytes; may be NULL if capacity is 0
+      integer(c_size_t), value :: capacity  !< in bytes
+      type(c_ptr), value :: ends  !< receives, per key, where its bytes end; may be NULL
+      integer(c_size_t), intent(out) :: needed  !< receives the number of bytes of all blocks
+      integer(c_int32_t) :: hs_world_pack
+    end function hs_world_pack
+
+    !> Makes a world of blocks: a share, or the whole world again where all its blocks are own ones. Settings,
+    !! laws, clock, and losses so far are those of `from`; of several shares of a whole world, that which owns
+    !! its first free block takes the losses. The list of pairs in use stays in use, until it is renewed.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold),
+    !! HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
+    !! HS_ERROR_OUT_OF_MEMORY
+    function hs_world_assemble(context, from, blocks, count, share) bind(c)
+      import
+      type(c_ptr), value :: context  !< as that of `from`, or another one
+      type(c_ptr), value :: from  !< a share or a whole world; it does not change, and may be destroyed afterwards
+      !> in ascending order of keys: all own blocks of the new share, copies of all blocks within its halo,
+      !! and all blocks that are everywhere. Copies need bytes of the present motion.
+      type(c_ptr), value :: blocks
+      integer(c_int64_t), value :: count  !< number of blocks
+      type(c_ptr), intent(out) :: share  !< receives the world; destroy it with hs_world_destroy()
+      integer(c_int32_t) :: hs_world_assemble
+    end function hs_world_assemble
+
+    !> Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
+    !! forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing
+    !! has changed is left as it is.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_begin(world) bind(c)
+      import
+      type(c_ptr), value :: world  !< a share or a whole world
+      integer(c_int32_t) :: hs_world_begin
+    end function hs_world_begin
+
+    !> Computes accelerations and energies of the beginning, from the loads.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_end_begin(world) bind(c)
+      import
+      type(c_ptr), value :: world  !< on which hs_world_begin() was called last
+      integer(c_int32_t) :: hs_world_end_begin
+    end function hs_world_end_begin
+
+    !> Plans the motion of a step, without moving any block. May be called again.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_plan_motion(world, plan) bind(c)
+      import
+      type(c_ptr), value :: world  !< a share or a whole world, begun
+      type(hs_share_plan), intent(out) :: plan  !< receives what the motion needs
+      integer(c_int32_t) :: hs_world_plan_motion
+    end function hs_world_plan_motion
+
+    !> Renews the list of pairs for the planned motion: on all shares, where the plan of any needs it.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    function hs_world_renew_list(world, plan) bind(c)
+      import
+      type(c_ptr), value :: world  !< planned
+      type(hs_share_plan), intent(out) :: plan  !< receives the plan with the new list: of it, `refusal` counts
+      integer(c_int32_t) :: hs_world_renew_list
+    end function hs_world_renew_list
+
+    !> Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE
+    function hs_world_move(world) bind(c)
+      import
+      type(c_ptr), value :: world  !< planned, without a refusal
+      integer(c_int32_t) :: hs_world_move
+    end function hs_world_move
+
+    !> Returns the loads of the contacts on own blocks: force, torque, and in worlds with elastic materials
+    !! the virial, row by row.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
+    function hs_world_get_loads(world, keys, count, loads) bind(c)
+      import
+      type(c_ptr), value :: world  !< begun or moved
+      type(c_ptr), value :: keys  !< of own blocks
+      integer(c_int64_t), value :: count  !< number of keys
+      type(c_ptr), value :: loads  !< receives count * hs_share_infoload_length numbers
+      integer(c_int32_t) :: hs_world_get_loads
+    end function hs_world_get_loads
+
+    !> Sets the loads of the contacts on copies, as their owners have computed them.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
+    function hs_world_set_loads(world, keys, count, loads) bind(c)
+      import
+      type(c_ptr), value :: world  !< begun or moved
+      type(c_ptr), value :: keys  !< of copies
+      integer(c_int64_t), value :: count  !< number of keys
+      type(c_ptr), value :: loads  !< count * hs_share_infoload_length numbers
+      integer(c_int32_t) :: hs_world_set_loads
+    end function hs_world_set_loads
+
+    !> Ends the step: velocities and energies at the end of the motion, from the loads.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE
+    function hs_world_end_step(world) bind(c)
+      import
+      type(c_ptr), value :: world  !< moved
+      integer(c_int32_t) :: hs_world_end_step
+    end function hs_world_end_step
 
     !> Fills a search definition with its defaults.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

@@ -118,6 +118,9 @@ contains
     case ('HS_PART_BOLTS'); constant = HS_PART_BOLTS
     case ('HS_UNBALANCED_MEAN'); constant = HS_UNBALANCED_MEAN
     case ('HS_UNBALANCED_LARGEST'); constant = HS_UNBALANCED_LARGEST
+    case ('HS_ROLE_OWN'); constant = HS_ROLE_OWN
+    case ('HS_ROLE_NEIGHBOR'); constant = HS_ROLE_NEIGHBOR
+    case ('HS_ROLE_EVERYWHERE'); constant = HS_ROLE_EVERYWHERE
     case default; error stop 'a case names a constant that is none'
     end select
   end function constant

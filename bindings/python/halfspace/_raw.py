@@ -188,6 +188,11 @@ HS_UNBALANCED_MEAN = 0
 # largest ratio of a single block or node; for negligible forces relative to the mean force
 HS_UNBALANCED_LARGEST = 1
 
+# What a block is in a share.
+HS_ROLE_OWN = 0  # this share loads, counts and packs it
+HS_ROLE_NEIGHBOR = 1  # a copy: it moves alike, and its loads come from the share that owns it
+HS_ROLE_EVERYWHERE = 2  # fixed and prescribed blocks: in all shares, without loads of their own
+
 
 class hs_context(Structure):
     """Opaque. Owns the allocator settings and the text of the last error."""
@@ -929,6 +934,56 @@ class hs_balance(Structure):
         ("steps", c_int64),  # steps done by hs_world_relax(); else 0
         # block that largest_force acts on; for a node, one of its surface blocks; 0: none
         ("largest_force_block", hs_block),
+    ]
+
+
+class hs_packed(Structure):
+    """A block of a share to be assembled."""
+
+    _fields_ = [
+        ("key", c_int64),  # name of the block in all shares
+        # from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
+        ("bytes", c_void_p),
+        ("size", c_size_t),  # of the bytes; 0 if they are NULL
+        ("role", c_int32),  # an HS_ROLE_ value
+        ("reserved", c_int32),  # 
+    ]
+
+
+class hs_share_info(Structure):
+    """A share, and how far its copies must reach."""
+
+    _fields_ = [
+        ("own_count", c_int64),  # blocks by role, HS_ROLE_OWN; in a whole world all that move freely
+        ("neighbor_count", c_int64),  # HS_ROLE_NEIGHBOR
+        ("everywhere_count", c_int64),  # HS_ROLE_EVERYWHERE
+        # pairs of own blocks and of their neighbours whose other block is not here: the copies do not reach
+        # far enough. 0 in a sound run
+        ("lost_pairs", c_int64),
+        ("load_length", c_int32),  # numbers per block of hs_world_get_loads(), the same in all shares
+        ("is_whole", c_int32),  # 1: all blocks of the world are here and own
+        # a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m;
+        # of all shares the largest counts. Twice as far as a pair of the next list. Call after
+        # hs_world_plan_motion()
+        ("halo", c_double),
+    ]
+
+
+class hs_share_plan(Structure):
+    """What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+    first two, and the minimum of `refusal`."""
+
+    _fields_ = [
+        # 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again
+        # and renew their lists
+        ("needs_list", c_int32),
+        # 1: a pair has met in a way that copies cannot know: all shares are assembled and plan again
+        ("needs_assembly", c_int32),
+        # HS_OK, or the error with which hs_world_move() would end: HS_ERROR_TOO_FAST, a block moves by more
+        # than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
+        # divided; HS_ERROR_UNSTABLE, the motion is not finite
+        ("refusal", c_int32),
+        ("reserved", c_int32),  # 
     ]
 
 
@@ -2057,6 +2112,128 @@ def declare(library: Any) -> None:
         c_double,  # time_step
     ]
     library.hs_world_set_time_step.restype = hs_status
+
+    # Names the blocks, so that loads are summed in the same order in all shares. By default a block's key is
+    # its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    library.hs_world_set_keys.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # keys
+        c_int64,  # count
+    ]
+    library.hs_world_set_keys.restype = hs_status
+
+    # Returns the keys of all blocks, in the order of hs_world_get_blocks(), which is ascending.
+    library.hs_world_get_keys.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # keys
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_keys.restype = hs_status
+
+    # Returns the roles of all blocks, HS_ROLE_ values, in the order of hs_world_get_blocks(). In a whole
+    # world fixed and prescribed blocks are everywhere, all others own.
+    library.hs_world_get_roles.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # roles
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_roles.restype = hs_status
+
+    # Describes a share.
+    library.hs_world_get_share_info.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_share_info),  # info
+        c_size_t,  # size
+    ]
+    library.hs_world_get_share_info.restype = hs_status
+
+    # Packs blocks, one after the other: their motion, their entries in the list of pairs, and the memory of
+    # their pairs, in the machine's format of numbers. Only a block's own share packs it, or any for blocks
+    # that are everywhere.
+    library.hs_world_pack.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # keys
+        c_int64,  # count
+        c_int32,  # with_shapes
+        c_void_p,  # bytes
+        c_size_t,  # capacity
+        c_void_p,  # ends
+        POINTER(c_size_t),  # needed
+    ]
+    library.hs_world_pack.restype = hs_status
+
+    # Makes a world of blocks: a share, or the whole world again where all its blocks are own ones. Settings,
+    # laws, clock, and losses so far are those of `from`; of several shares of a whole world, that which owns
+    # its first free block takes the losses. The list of pairs in use stays in use, until it is renewed.
+    library.hs_world_assemble.argtypes = [
+        POINTER(hs_context),  # context
+        POINTER(hs_world),  # from
+        c_void_p,  # blocks
+        c_int64,  # count
+        POINTER(POINTER(hs_world)),  # share
+    ]
+    library.hs_world_assemble.restype = hs_status
+
+    # Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
+    # forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing
+    # has changed is left as it is.
+    library.hs_world_begin.argtypes = [
+        POINTER(hs_world),  # world
+    ]
+    library.hs_world_begin.restype = hs_status
+
+    # Computes accelerations and energies of the beginning, from the loads.
+    library.hs_world_end_begin.argtypes = [
+        POINTER(hs_world),  # world
+    ]
+    library.hs_world_end_begin.restype = hs_status
+
+    # Plans the motion of a step, without moving any block. May be called again.
+    library.hs_world_plan_motion.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_share_plan),  # plan
+    ]
+    library.hs_world_plan_motion.restype = hs_status
+
+    # Renews the list of pairs for the planned motion: on all shares, where the plan of any needs it.
+    library.hs_world_renew_list.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_share_plan),  # plan
+    ]
+    library.hs_world_renew_list.restype = hs_status
+
+    # Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    library.hs_world_move.argtypes = [
+        POINTER(hs_world),  # world
+    ]
+    library.hs_world_move.restype = hs_status
+
+    # Returns the loads of the contacts on own blocks: force, torque, and in worlds with elastic materials the
+    # virial, row by row.
+    library.hs_world_get_loads.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # keys
+        c_int64,  # count
+        c_void_p,  # loads
+    ]
+    library.hs_world_get_loads.restype = hs_status
+
+    # Sets the loads of the contacts on copies, as their owners have computed them.
+    library.hs_world_set_loads.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # keys
+        c_int64,  # count
+        c_void_p,  # loads
+    ]
+    library.hs_world_set_loads.restype = hs_status
+
+    # Ends the step: velocities and energies at the end of the motion, from the loads.
+    library.hs_world_end_step.argtypes = [
+        POINTER(hs_world),  # world
+    ]
+    library.hs_world_end_step.restype = hs_status
 
     # Fills a search definition with its defaults.
     library.hs_strength_def_init.argtypes = [

@@ -950,6 +950,91 @@ class Balance(Record):
 BALANCE = record_type(Balance, _raw.hs_balance)
 
 
+class Packed(Record):
+    """A block of a share to be assembled.
+
+    Attributes
+    ----------
+    key : int
+        name of the block in all shares
+    bytes : int
+        from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
+    size : int
+        of the bytes; 0 if they are NULL
+    role : int
+        an HS_ROLE_ value
+    """
+
+    key: int
+    bytes: int
+    size: int
+    role: int
+
+
+PACKED = record_type(Packed, _raw.hs_packed)
+
+
+class ShareInfo(Record):
+    """A share, and how far its copies must reach.
+
+    Attributes
+    ----------
+    own_count : int
+        blocks by role, HS_ROLE_OWN; in a whole world all that move freely
+    neighbor_count : int
+        HS_ROLE_NEIGHBOR
+    everywhere_count : int
+        HS_ROLE_EVERYWHERE
+    lost_pairs : int
+        pairs of own blocks and of their neighbours whose other block is not here: the copies do not reach far
+        enough. 0 in a sound run
+    load_length : int
+        numbers per block of hs_world_get_loads(), the same in all shares
+    is_whole : int
+        1: all blocks of the world are here and own
+    halo : float
+        a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m; of
+        all shares the largest counts. Twice as far as a pair of the next list. Call after
+        hs_world_plan_motion()
+    """
+
+    own_count: int
+    neighbor_count: int
+    everywhere_count: int
+    lost_pairs: int
+    load_length: int
+    is_whole: int
+    halo: float
+
+
+SHARE_INFO = record_type(ShareInfo, _raw.hs_share_info)
+
+
+class SharePlan(Record):
+    """What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+    first two, and the minimum of `refusal`.
+
+    Attributes
+    ----------
+    needs_list : int
+        1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and
+        renew their lists
+    needs_assembly : int
+        1: a pair has met in a way that copies cannot know: all shares are assembled and plan again
+    refusal : int
+        HS_OK, or the error with which hs_world_move() would end: HS_ERROR_TOO_FAST, a block moves by more
+        than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
+        divided; HS_ERROR_UNSTABLE, the motion is not finite
+    """
+
+    needs_list: int
+    needs_assembly: int
+    refusal: int
+
+
+SHARE_PLAN = record_type(SharePlan, _raw.hs_share_plan)
+
+
 class StrengthReport(Record):
     """Result of the search. Later versions may append to it.
 

@@ -36,6 +36,9 @@ enum {
   HS_ROLE_EVERYWHERE = 2 /**< fixed and prescribed blocks: in all shares, without loads of their own */
 };
 
+/** Number of values of hs_world_get_sums(). */
+enum { HS_SUM_COUNT = 21 };
+
 /** A block of a share to be assembled. */
 typedef struct hs_packed {
   int64_t key;       /**< name of the block in all shares */
@@ -132,6 +135,17 @@ HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_
  *          HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_assemble(hs_context *context, hs_world *from, const hs_packed blocks[],
                                        int64_t count, hs_world **share);
+
+/** @brief Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
+ *  world.
+ *  @param world a share or a whole world @param sums receives HS_SUM_COUNT values, J and W
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
+HS_CHECKED hs_status hs_world_get_sums(const hs_world *world, double sums[]);
+
+/** @brief Sets them: in a joined world to the sums over all shares, whose losses it continues.
+ *  @param world a whole world @param sums HS_SUM_COUNT values, finite
+ *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share) */
+HS_CHECKED hs_status hs_world_set_sums(hs_world *world, const double sums[]);
 
 /** @brief Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
  *  forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing has

@@ -109,14 +109,14 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
       acceleration_[i].setZero();
       momentum_rate_[i].setZero();
     }
+    if (blocks_.moves_freely(i)) accelerate(i);
+    if (share_.is_copy(i)) continue;  // its owner counts its energy
     if (blocks_.moves_freely(i)) {
-      accelerate(i);
       weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
       const double reach = blocks_.position[i].norm() + blocks_.radius[i];
       const double speed = std::numeric_limits<double>::epsilon() * reach / time_step;
       rounding_energy += blocks_.mass[i] * speed * speed;
     }
-    if (share_.is_copy(i)) continue;
     if (blocks_.is_affine(i)) {
       sample_affine_energy(i, blocks_.velocity[i], blocks_.deformation(i).rate, sample);
     } else {

@@ -267,6 +267,14 @@ pub const HS_UNBALANCED_MEAN: i32 = 0;
 /// largest ratio of a single block or node; for negligible forces relative to the mean force
 pub const HS_UNBALANCED_LARGEST: i32 = 1;
 
+// What a block is in a share.
+/// this share loads, counts and packs it
+pub const HS_ROLE_OWN: i32 = 0;
+/// a copy: it moves alike, and its loads come from the share that owns it
+pub const HS_ROLE_NEIGHBOR: i32 = 1;
+/// fixed and prescribed blocks: in all shares, without loads of their own
+pub const HS_ROLE_EVERYWHERE: i32 = 2;
+
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
 pub struct hs_context {
@@ -1298,6 +1306,64 @@ pub struct hs_balance {
     pub largest_force_block: hs_block,
 }
 const _: () = assert!(std::mem::size_of::<hs_balance>() == 40);
+
+/// A block of a share to be assembled.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct hs_packed {
+    /// name of the block in all shares
+    pub key: i64,
+    /// from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
+    pub bytes: *const c_void,
+    /// of the bytes; 0 if they are NULL
+    pub size: usize,
+    /// an HS_ROLE_ value
+    pub role: i32,
+    pub reserved: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_packed>() == 32);
+
+/// A share, and how far its copies must reach.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_share_info {
+    /// blocks by role, HS_ROLE_OWN; in a whole world all that move freely
+    pub own_count: i64,
+    /// HS_ROLE_NEIGHBOR
+    pub neighbor_count: i64,
+    /// HS_ROLE_EVERYWHERE
+    pub everywhere_count: i64,
+    /// pairs of own blocks and of their neighbours whose other block is not here: the copies do not reach far
+    /// enough. 0 in a sound run
+    pub lost_pairs: i64,
+    /// numbers per block of hs_world_get_loads(), the same in all shares
+    pub load_length: i32,
+    /// 1: all blocks of the world are here and own
+    pub is_whole: i32,
+    /// a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m; of
+    /// all shares the largest counts. Twice as far as a pair of the next list. Call after
+    /// hs_world_plan_motion()
+    pub halo: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_share_info>() == 48);
+
+/// What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+/// first two, and the minimum of `refusal`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_share_plan {
+    /// 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and
+    /// renew their lists
+    pub needs_list: i32,
+    /// 1: a pair has met in a way that copies cannot know: all shares are assembled and plan again
+    pub needs_assembly: i32,
+    /// HS_OK, or the error with which hs_world_move() would end: HS_ERROR_TOO_FAST, a block moves by more
+    /// than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
+    /// divided; HS_ERROR_UNSTABLE, the motion is not finite
+    pub refusal: i32,
+    pub reserved: i32,
+}
+const _: () = assert!(std::mem::size_of::<hs_share_plan>() == 16);
 
 /// Settings of the search for the factor of safety. Fill it with hs_strength_def_init().
 #[repr(C)]
@@ -3023,6 +3089,186 @@ extern "C" {
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_time_step(world: *mut hs_world, time_step: f64) -> hs_status;
+
+    /// Names the blocks, so that loads are summed in the same order in all shares. By default a block's key
+    /// is its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    ///
+    /// - `world`: whole, not a share
+    /// - `keys`: ascending, in the order of hs_world_get_blocks()
+    /// - `count`: the number of blocks
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_set_keys(world: *mut hs_world, keys: *const i64, count: i64) -> hs_status;
+
+    /// Returns the keys of all blocks, in the order of hs_world_get_blocks(), which is ascending.
+    ///
+    /// - `world`: not NULL
+    /// - `keys`: receives up to `capacity` keys; may be NULL if capacity is 0
+    /// - `capacity`: in keys
+    /// - `count`: receives the number of blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_keys(
+        world: *const hs_world,
+        keys: *mut i64,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Returns the roles of all blocks, HS_ROLE_ values, in the order of hs_world_get_blocks(). In a whole
+    /// world fixed and prescribed blocks are everywhere, all others own.
+    ///
+    /// - `world`: not NULL
+    /// - `roles`: receives up to `capacity` roles; may be NULL if capacity is 0
+    /// - `capacity`: in roles
+    /// - `count`: receives the number of blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_roles(
+        world: *const hs_world,
+        roles: *mut i32,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Describes a share.
+    ///
+    /// - `world`: a share or a whole world
+    /// - `info`: receives it
+    /// - `size`: sizeof(hs_share_info)
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_share_info(
+        world: *mut hs_world,
+        info: *mut hs_share_info,
+        size: usize,
+    ) -> hs_status;
+
+    /// Packs blocks, one after the other: their motion, their entries in the list of pairs, and the memory of
+    /// their pairs, in the machine's format of numbers. Only a block's own share packs it, or any for blocks
+    /// that are everywhere.
+    ///
+    /// - `world`: a share or a whole world
+    /// - `keys`: of the blocks, in any order
+    /// - `count`: number of keys
+    /// - `with_shapes`: 1: with their outlines, for shares that do not have the block; 0: without
+    /// - `bytes`: receives up to `capacity` bytes; may be NULL if capacity is 0
+    /// - `capacity`: in bytes
+    /// - `ends`: receives, per key, where its bytes end; may be NULL
+    /// - `needed`: receives the number of bytes of all blocks
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (then the bytes are those of the first blocks, and worthless),
+    /// HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_pack(
+        world: *mut hs_world,
+        keys: *const i64,
+        count: i64,
+        with_shapes: i32,
+        bytes: *mut c_void,
+        capacity: usize,
+        ends: *mut usize,
+        needed: *mut usize,
+    ) -> hs_status;
+
+    /// Makes a world of blocks: a share, or the whole world again where all its blocks are own ones.
+    /// Settings, laws, clock, and losses so far are those of `from`; of several shares of a whole world, that
+    /// which owns its first free block takes the losses. The list of pairs in use stays in use, until it is
+    /// renewed.
+    ///
+    /// - `context`: as that of `from`, or another one
+    /// - `from`: a share or a whole world; it does not change, and may be destroyed afterwards
+    /// - `blocks`: in ascending order of keys: all own blocks of the new share, copies of all blocks within
+    ///   its halo, and all blocks that are everywhere. Copies need bytes of the present motion.
+    /// - `count`: number of blocks
+    /// - `share`: receives the world; destroy it with hs_world_destroy()
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold),
+    /// HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
+    /// HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_assemble(
+        context: *mut hs_context,
+        from: *mut hs_world,
+        blocks: *const hs_packed,
+        count: i64,
+        share: *mut *mut hs_world,
+    ) -> hs_status;
+
+    /// Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
+    /// forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that
+    /// nothing has changed is left as it is.
+    ///
+    /// - `world`: a share or a whole world
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_begin(world: *mut hs_world) -> hs_status;
+
+    /// Computes accelerations and energies of the beginning, from the loads.
+    ///
+    /// - `world`: on which hs_world_begin() was called last
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_end_begin(world: *mut hs_world) -> hs_status;
+
+    /// Plans the motion of a step, without moving any block. May be called again.
+    ///
+    /// - `world`: a share or a whole world, begun
+    /// - `plan`: receives what the motion needs
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_plan_motion(world: *mut hs_world, plan: *mut hs_share_plan) -> hs_status;
+
+    /// Renews the list of pairs for the planned motion: on all shares, where the plan of any needs it.
+    ///
+    /// - `world`: planned
+    /// - `plan`: receives the plan with the new list: of it, `refusal` counts
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_world_renew_list(world: *mut hs_world, plan: *mut hs_share_plan) -> hs_status;
+
+    /// Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    ///
+    /// - `world`: planned, without a refusal
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE
+    pub fn hs_world_move(world: *mut hs_world) -> hs_status;
+
+    /// Returns the loads of the contacts on own blocks: force, torque, and in worlds with elastic materials
+    /// the virial, row by row.
+    ///
+    /// - `world`: begun or moved
+    /// - `keys`: of own blocks
+    /// - `count`: number of keys
+    /// - `loads`: receives count * hs_share_infoload_length numbers
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
+    pub fn hs_world_get_loads(
+        world: *const hs_world,
+        keys: *const i64,
+        count: i64,
+        loads: *mut f64,
+    ) -> hs_status;
+
+    /// Sets the loads of the contacts on copies, as their owners have computed them.
+    ///
+    /// - `world`: begun or moved
+    /// - `keys`: of copies
+    /// - `count`: number of keys
+    /// - `loads`: count * hs_share_infoload_length numbers
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
+    pub fn hs_world_set_loads(
+        world: *mut hs_world,
+        keys: *const i64,
+        count: i64,
+        loads: *const f64,
+    ) -> hs_status;
+
+    /// Ends the step: velocities and energies at the end of the motion, from the loads.
+    ///
+    /// - `world`: moved
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE
+    pub fn hs_world_end_step(world: *mut hs_world) -> hs_status;
 
     /// Fills a search definition with its defaults.
     ///

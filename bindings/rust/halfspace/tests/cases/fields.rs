@@ -113,6 +113,9 @@ pub fn constant(name: &str) -> Option<i32> {
         "HS_PART_BOLTS" => sys::HS_PART_BOLTS,
         "HS_UNBALANCED_MEAN" => sys::HS_UNBALANCED_MEAN,
         "HS_UNBALANCED_LARGEST" => sys::HS_UNBALANCED_LARGEST,
+        "HS_ROLE_OWN" => sys::HS_ROLE_OWN,
+        "HS_ROLE_NEIGHBOR" => sys::HS_ROLE_NEIGHBOR,
+        "HS_ROLE_EVERYWHERE" => sys::HS_ROLE_EVERYWHERE,
         _ => return None,
     })
 }
