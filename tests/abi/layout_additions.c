@@ -119,3 +119,5 @@ _Static_assert(HS_PART_BOLTS == 2048, "HS_PART_BOLTS");
 _Static_assert(HS_ROLE_OWN == 0, "HS_ROLE_OWN");
 _Static_assert(HS_ROLE_NEIGHBOR == 1, "HS_ROLE_NEIGHBOR");
 _Static_assert(HS_ROLE_EVERYWHERE == 2, "HS_ROLE_EVERYWHERE");
+
+_Static_assert(HS_SUM_COUNT == 21, "HS_SUM_COUNT");

@@ -111,6 +111,7 @@ const Constant case_constants[] = {
     {"HS_ROLE_OWN", HS_ROLE_OWN},
     {"HS_ROLE_NEIGHBOR", HS_ROLE_NEIGHBOR},
     {"HS_ROLE_EVERYWHERE", HS_ROLE_EVERYWHERE},
+    {"HS_SUM_COUNT", HS_SUM_COUNT},
     {NULL, 0},
 };
 

@@ -180,6 +180,9 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ROLE_NEIGHBOR = 1  !< a copy: it moves alike, and its loads come from the share that owns it
   integer(c_int32_t), parameter :: HS_ROLE_EVERYWHERE = 2  !< fixed and prescribed blocks: in all shares, without loads of their own
 
+  !> Number of values of hs_world_get_sums().
+  integer(c_int32_t), parameter :: HS_SUM_COUNT = 21
+
   !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
   type, bind(c) :: hs_view
     type(c_ptr) :: x = c_null_ptr  !< first x component; not NULL unless count is 0
@@ -2322,6 +2325,25 @@ module halfspace_c
       type(c_ptr), intent(out) :: share  !< receives the world; destroy it with hs_world_destroy()
       integer(c_int32_t) :: hs_world_assemble
     end function hs_world_assemble
+
+    !> Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
+    !! world.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_sums(world, sums) bind(c)
+      import
+      type(c_ptr), value :: world  !< a share or a whole world
+      type(c_ptr), value :: sums  !< receives HS_SUM_COUNT values, J and W
+      integer(c_int32_t) :: hs_world_get_sums
+    end function hs_world_get_sums
+
+    !> Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share)
+    function hs_world_set_sums(world, sums) bind(c)
+      import
+      type(c_ptr), value :: world  !< a whole world
+      type(c_ptr), value :: sums  !< HS_SUM_COUNT values, finite
+      integer(c_int32_t) :: hs_world_set_sums
+    end function hs_world_set_sums
 
     !> Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
     !! forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing

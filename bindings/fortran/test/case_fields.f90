@@ -121,6 +121,7 @@ contains
     case ('HS_ROLE_OWN'); constant = HS_ROLE_OWN
     case ('HS_ROLE_NEIGHBOR'); constant = HS_ROLE_NEIGHBOR
     case ('HS_ROLE_EVERYWHERE'); constant = HS_ROLE_EVERYWHERE
+    case ('HS_SUM_COUNT'); constant = HS_SUM_COUNT
     case default; error stop 'a case names a constant that is none'
     end select
   end function constant

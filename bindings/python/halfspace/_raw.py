@@ -193,6 +193,9 @@ HS_ROLE_OWN = 0  # this share loads, counts and packs it
 HS_ROLE_NEIGHBOR = 1  # a copy: it moves alike, and its loads come from the share that owns it
 HS_ROLE_EVERYWHERE = 2  # fixed and prescribed blocks: in all shares, without loads of their own
 
+# Number of values of hs_world_get_sums().
+HS_SUM_COUNT = 21  # 
+
 
 class hs_context(Structure):
     """Opaque. Owns the allocator settings and the text of the last error."""
@@ -2175,6 +2178,21 @@ def declare(library: Any) -> None:
         POINTER(POINTER(hs_world)),  # share
     ]
     library.hs_world_assemble.restype = hs_status
+
+    # Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
+    # world.
+    library.hs_world_get_sums.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # sums
+    ]
+    library.hs_world_get_sums.restype = hs_status
+
+    # Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    library.hs_world_set_sums.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # sums
+    ]
+    library.hs_world_set_sums.restype = hs_status
 
     # Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
     # forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing

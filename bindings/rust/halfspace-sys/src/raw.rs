@@ -275,6 +275,9 @@ pub const HS_ROLE_NEIGHBOR: i32 = 1;
 /// fixed and prescribed blocks: in all shares, without loads of their own
 pub const HS_ROLE_EVERYWHERE: i32 = 2;
 
+// Number of values of hs_world_get_sums().
+pub const HS_SUM_COUNT: i32 = 21;
+
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
 pub struct hs_context {
@@ -3192,6 +3195,23 @@ extern "C" {
         count: i64,
         share: *mut *mut hs_world,
     ) -> hs_status;
+
+    /// Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
+    /// world.
+    ///
+    /// - `world`: a share or a whole world
+    /// - `sums`: receives HS_SUM_COUNT values, J and W
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_sums(world: *const hs_world, sums: *mut f64) -> hs_status;
+
+    /// Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    ///
+    /// - `world`: a whole world
+    /// - `sums`: HS_SUM_COUNT values, finite
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share)
+    pub fn hs_world_set_sums(world: *mut hs_world, sums: *const f64) -> hs_status;
 
     /// Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
     /// forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that

@@ -116,6 +116,7 @@ pub fn constant(name: &str) -> Option<i32> {
         "HS_ROLE_OWN" => sys::HS_ROLE_OWN,
         "HS_ROLE_NEIGHBOR" => sys::HS_ROLE_NEIGHBOR,
         "HS_ROLE_EVERYWHERE" => sys::HS_ROLE_EVERYWHERE,
+        "HS_SUM_COUNT" => sys::HS_SUM_COUNT,
         _ => return None,
     })
 }
