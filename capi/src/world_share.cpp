@@ -201,21 +201,24 @@ hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, in
     if (with_shapes != 0 && with_shapes != 1)
       refuse(HS_ERROR_ARGUMENT, "with_shapes is %d; it must be 0 or 1", with_shapes);
     BlockRecord<D> record(&world->context->memory);
-    std::size_t all = 0;
-    bool has_room = true;
-    for (std::int64_t i = 0; i < count; ++i) {
-      const std::size_t slot = slot_of_key(w, keys, i, "own block and none that is everywhere",
-                                           [](ShareRole role) { return role != ShareRole::neighbor; });
-      w.record(slot, with_shapes != 0, record);
-      snapshot::Writer counter(nullptr);
-      counter(record);
-      has_room = has_room && counter.size() <= capacity - all;
-      if (has_room) snapshot::Writer(static_cast<std::byte*>(bytes) + all)(record);
-      all += counter.size();
-      if (ends) ends[i] = all;
-    }
-    *needed = all;
-    return has_room ? HS_OK : HS_NOTE_TRUNCATED;
+    const auto for_each_record = [&](auto use) {
+      for (std::int64_t i = 0; i < count; ++i) {
+        w.record(slot_of_key(w, keys, i, "own block and none that is everywhere",
+                             [](ShareRole role) { return role != ShareRole::neighbor; }),
+                 with_shapes != 0, record);
+        use(i);
+      }
+    };
+    snapshot::Writer counter(nullptr);
+    for_each_record([&](std::int64_t) { counter(record); });
+    *needed = counter.size();
+    if (counter.size() > capacity) return HS_NOTE_TRUNCATED;
+    snapshot::Writer writer(static_cast<std::byte*>(bytes));  // from here on the record has all its memory
+    for_each_record([&](std::int64_t i) {
+      writer(record);
+      if (ends) ends[i] = writer.size();
+    });
+    return HS_OK;
   });
 }
 

@@ -34,6 +34,9 @@ struct Written {
   hs_bond_report bond_report;
   hs_balance balance;
   hs_strength_report strength;
+  hs_share_info share;
+  unsigned char packed[1 << 16];
+  hs_share_plan plan;
   hs_body body;
   hs_pose poses[4];
   double vectors[2][128][3];
@@ -93,6 +96,7 @@ std::vector<EntryPoint> entry_points_of_bonds();
 std::vector<EntryPoint> entry_points_of_compounds();
 std::vector<EntryPoint> entry_points_of_rest();
 std::vector<EntryPoint> entry_points_of_loads();
+std::vector<EntryPoint> entry_points_of_shares();
 
 /// A step after changes that leave different things known: contacts, forces, bonds.
 std::vector<EntryPoint> steps_of_changed_worlds();

@@ -115,6 +115,7 @@ inline void check_sums(const SplitWorld& split, const hs_world* whole) {
 struct Seen {
   std::int64_t assemblies = 0;
   std::int64_t migrations = 0;
+  std::int64_t entrances = 0;
 };
 
 /// Compares a world with its shares, which are joined several times on the way.
@@ -133,7 +134,7 @@ inline Seen compare(const std::vector<unsigned char>& start, std::size_t shares,
     CHECK(info_of(joined.get()).is_whole == 1);
     check_sums(split, whole.get());
   }
-  return {split.assemblies(), split.migrations()};
+  return {split.assemblies(), split.migrations(), split.entrances()};
 }
 
 }  // namespace halfspace_test

@@ -13,6 +13,7 @@ TEST_CASE("shares keep the bits over 30 000 steps", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) {
     const Seen seen = compare(start, shares, 30000);
     CHECK(seen.migrations >= 100);
-    WARN(shares << " shares: " << seen.assemblies << " assemblies, " << seen.migrations << " migrations");
+    WARN(shares << " shares: " << seen.assemblies << " assemblies, " << seen.migrations << " migrations, "
+                << seen.entrances << " for entry faces");
   }
 }

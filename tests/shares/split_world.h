@@ -87,6 +87,7 @@ class SplitWorld {
   void step() {
     hs_share_plan plan = planned();
     if (plan.needs_list || plan.needs_assembly) {
+      if (!plan.needs_list) ++entrances_;
       assemble();
       ++assemblies_;
       const hs_share_plan again = planned();
@@ -128,6 +129,8 @@ class SplitWorld {
   hs_context* context() const { return shares_.front().context.get(); }
 
   std::int64_t assemblies() const { return assemblies_; }
+  /// Assemblies only because an entry face had to be told.
+  std::int64_t entrances() const { return entrances_; }
   std::int64_t migrations() const { return migrations_; }
   std::size_t copies() const {
     std::size_t copies = 0;
@@ -308,6 +311,7 @@ class SplitWorld {
   bool is_cut_ = false;  // before, each share is the whole world
   std::int64_t assemblies_ = 0;
   std::int64_t migrations_ = 0;
+  std::int64_t entrances_ = 0;
 };
 
 }  // namespace halfspace_test
