@@ -34,7 +34,25 @@ BlockState<D> Blocks<D>::state_of(std::size_t s) const {
 
 template <int D>
 std::int32_t Blocks<D>::add(const BlockState<D>& state, const OutlineCopy<D>& own) {
-  const std::int32_t slot = occupy(outlines_.take_in(own), state.kind, state.material);
+  const std::int32_t slot = add(state, outlines_.take_in(own));
+  renew_outline(slot);
+  return slot;
+}
+
+template <int D>
+void Blocks<D>::renew_outline(std::int32_t slot) {
+  const std::size_t s = std::size_t(slot);
+  is_affine(s) ? outlines_.deform(slot, deformation(s).gradient) : outlines_.turn(slot, rotation[s]);
+}
+
+template <int D>
+std::int32_t Blocks<D>::add(const BlockState<D>& state, const Blocks& other, std::int32_t slot) {
+  return add(state, outlines_.take_over(other.outlines_, slot));
+}
+
+template <int D>
+std::int32_t Blocks<D>::add(const BlockState<D>& state, const typename Outlines<D>::Taken& outline) {
+  const std::int32_t slot = occupy(outline, state.kind, state.material);
   const std::size_t s = std::size_t(slot);
   generation[s] = state.generation;
   held[s] = state.held;
@@ -58,16 +76,16 @@ std::int32_t Blocks<D>::add(const BlockState<D>& state, const OutlineCopy<D>& ow
     Deformation<D> deformation = state.deformation;
     deformation.slot = slot;
     deformations_.add(deformation);
-    outlines_.deform(slot, state.deformation.gradient);
-  } else {
-    outlines_.turn(slot, state.rotation);
   }
   return slot;
 }
 
-#define HALFSPACE_MEMBERS(D)                                     \
-  template BlockState<D> Blocks<D>::state_of(std::size_t) const; \
-  template std::int32_t Blocks<D>::add(const BlockState<D>&, const OutlineCopy<D>&);
+#define HALFSPACE_MEMBERS(D)                                                                  \
+  template BlockState<D> Blocks<D>::state_of(std::size_t) const;                              \
+  template void Blocks<D>::renew_outline(std::int32_t);                                       \
+  template std::int32_t Blocks<D>::add(const BlockState<D>&, const OutlineCopy<D>&);          \
+  template std::int32_t Blocks<D>::add(const BlockState<D>&, const Blocks<D>&, std::int32_t); \
+  template std::int32_t Blocks<D>::add(const BlockState<D>&, const typename Outlines<D>::Taken&);
 
 HALFSPACE_MEMBERS(2)
 HALFSPACE_MEMBERS(3)

@@ -93,7 +93,14 @@ class Blocks {
   /// The entries of a block, and its outline in the frame of the shape, as add() takes them in another world.
   BlockState<D> state_of(std::size_t slot) const;
   void copy_outline(std::int32_t slot, OutlineCopy<D>& copy) const { outlines_.copy(slot, copy); }
+  bool is_sound(const OutlineCopy<D>& copy) const { return outlines_.is_sound(copy); }
   std::int32_t add(const BlockState<D>& state, const OutlineCopy<D>& own);
+  /// The same with the outline of a block of another world, between begin and end.
+  void begin_taking_over(const Blocks& other) { outlines_.begin_taking_over(other.outlines_); }
+  std::int32_t add(const BlockState<D>& state, const Blocks& other, std::int32_t slot);
+  /// Places an outline where the block is.
+  void renew_outline(std::int32_t slot);
+  void end_taking_over() { outlines_.end_taking_over(); }
   /// Undoes the last add_compound().
   void take_back_compound(std::int32_t compound);
   /// Removes a compound whose parts have been removed.
@@ -240,6 +247,7 @@ class Blocks {
 
  private:
   void resize(std::size_t slots);
+  std::int32_t add(const BlockState<D>& state, const typename Outlines<D>::Taken& outline);
   std::int32_t occupy(const typename Outlines<D>::Taken& outline, BlockKind block_kind,
                       std::int32_t block_material);
   void follow(std::int32_t compound);

@@ -112,6 +112,39 @@ void Outlines<3>::copy(std::int32_t slot, OutlineCopy<3>& to) const {
                      topology.first_of_face + topology_length(to.vertices, to.edges, to.faces));
 }
 
+template <>
+bool Outlines<2>::is_sound(const OutlineCopy<2>&) const {
+  return true;
+}
+
+template <>
+bool Outlines<3>::is_sound(const OutlineCopy<3>& copy) const {
+  return topologies_.is_sound(topology_at(copy.topology.data(), copy.vertices, copy.edges, copy.faces));
+}
+
+template <int D>
+void Outlines<D>::begin_taking_over([[maybe_unused]] const Outlines& other) {
+  if constexpr (D == 3) topologies_.hold_all_of(other.topologies_);
+}
+
+template <int D>
+typename Outlines<D>::Taken Outlines<D>::take_over(const Outlines& other, std::int32_t slot) {
+  const Taken taken{std::int64_t(own_.size()), other.form_[std::size_t(slot)]};
+  const auto append = [&](Array<double>& to, const Array<double>& from) {
+    const auto first = from.begin() + other.first_[std::size_t(slot)];
+    to.insert(to.end(), first, first + std::ptrdiff_t(other.length(taken.form)));
+  };
+  append(own_, other.own_);
+  append(turned_, other.turned_);
+  if constexpr (D == 3) topologies_.add_user(taken.form);
+  return taken;
+}
+
+template <int D>
+void Outlines<D>::end_taking_over() {
+  if constexpr (D == 3) topologies_.end_holding();
+}
+
 template <int D>
 typename Outlines<D>::Taken Outlines<D>::take_in_none() {
   Taken taken{std::int64_t(own_.size()), 0};

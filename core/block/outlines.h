@@ -42,6 +42,12 @@ class Outlines {
   /// The same for the block added last.
   void take_back(std::int32_t slot) { undo({first_[std::size_t(slot)], form_[std::size_t(slot)]}); }
   void copy(std::int32_t slot, OutlineCopy<D>& to) const;
+  /// Is a complete copy that of a closed convex surface, as far as its topology tells?
+  bool is_sound(const OutlineCopy<D>& copy) const;
+  // Taking over outlines of another world, between begin and end.
+  void begin_taking_over(const Outlines& other);
+  Taken take_over(const Outlines& other, std::int32_t slot);
+  void end_taking_over();
   /// Closes the gap of a removed block.
   void drop(std::int32_t slot);
 
@@ -116,6 +122,10 @@ template <>
 Outlines<2>::Taken Outlines<2>::take_in(const OutlineCopy<2>& copy);
 template <>
 Outlines<3>::Taken Outlines<3>::take_in(const OutlineCopy<3>& copy);
+template <>
+bool Outlines<2>::is_sound(const OutlineCopy<2>& copy) const;
+template <>
+bool Outlines<3>::is_sound(const OutlineCopy<3>& copy) const;
 template <>
 void Outlines<2>::copy(std::int32_t slot, OutlineCopy<2>& to) const;
 template <>

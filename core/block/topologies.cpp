@@ -122,7 +122,7 @@ bool Topologies::lies_within(const Kept& kept) const {
          kept.first >= 0 && kept.first <= all - kept.length();
 }
 
-bool Topologies::is_of_one_surface(const Topology& t) const {
+bool Topologies::is_sound(const Topology& t) const {
   const std::int32_t halves = 2 * t.edge_count;
   const bool has_loops = t.first_of_face[0] == 0 && t.first_of_face[t.face_count] == halves &&
                          std::is_sorted(t.first_of_face, t.first_of_face + t.face_count + 1);
@@ -141,13 +141,45 @@ bool Topologies::is_of_one_surface(const Topology& t) const {
 }
 
 bool Topologies::is_consistent() const {
+  if (are_sound_) return true;
   if (views_.size() != kept_.size()) return false;
   Array<Range> ranges(kept_.get_allocator().resource());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
-    if (kept_[i].users < 0 || (kept_[i].users > 0 && !is_of_one_surface(views_[i]))) return false;
+    if (kept_[i].users < 0 || (kept_[i].users > 0 && !is_sound(views_[i]))) return false;
     if (kept_[i].users > 0) ranges.push_back({kept_[i].first, kept_[i].length()});
   }
-  return fill_without_gap(ranges, indices_.size());
+  are_sound_ = fill_without_gap(ranges, indices_.size());
+  return are_sound_;
+}
+
+void Topologies::hold_all_of(const Topologies& other) {
+  indices_ = other.indices_;
+  kept_ = other.kept_;
+  for (Kept& kept : kept_) {
+    kept.users = kept.users > 0;
+    is_held_.push_back(kept.users > 0);
+  }
+  are_sound_ = other.are_sound_;
+  find_anew();
+}
+
+void Topologies::end_holding() {
+  Array<std::int32_t> used(indices_.get_allocator());
+  used.reserve(indices_.size());
+  for (std::size_t i = 0; i < is_held_.size(); ++i) kept_[i].users -= is_held_[i];
+  is_held_.clear();
+  for (Kept& kept : kept_) {
+    if (kept.users == 0) {
+      kept = {};
+      continue;
+    }
+    const auto first = indices_.begin() + kept.first;
+    kept.first = std::int64_t(used.size());
+    used.insert(used.end(), first, first + kept.length());
+  }
+  indices_.swap(used);
+  while (!kept_.empty() && kept_.back().users == 0) kept_.pop_back();
+  find_anew();
 }
 
 }  // namespace halfspace

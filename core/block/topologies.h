@@ -13,10 +13,18 @@ Topology no_topology();
 /// The topologies of a world's blocks; equal ones are stored once.
 class Topologies {
  public:
-  explicit Topologies(Memory* memory) : indices_(memory), kept_(memory), views_(memory), by_hash_(memory) {}
+  explicit Topologies(Memory* memory)
+      : indices_(memory), kept_(memory), views_(memory), by_hash_(memory), is_held_(memory) {}
 
   /// Adds a block's topology, or finds an equal one. Returns its index.
   std::int32_t add(const Topology& topology);
+  /// One block more uses one that is here.
+  void add_user(std::int32_t which) { ++kept_[std::size_t(which)].users; }
+  /// Holds all topologies of another world, until end_holding() lets go of those without users.
+  void hold_all_of(const Topologies& other);
+  void end_holding();
+  /// Is a topology the one made from the loops of its faces, of one closed surface?
+  bool is_sound(const Topology& topology) const;
   /// One block fewer uses it.
   void release(std::int32_t which);
   /// Valid until the next one is added or released.
@@ -36,7 +44,10 @@ class Topologies {
   template <class Archive>
   void visit(Archive& archive) {
     archive(indices_, kept_);
-    if constexpr (Archive::reads) find_anew();
+    if constexpr (Archive::reads) {
+      are_sound_ = false;
+      find_anew();
+    }
   }
 
  private:
@@ -52,14 +63,15 @@ class Topologies {
   };
 
   bool lies_within(const Kept& kept) const;
-  bool is_of_one_surface(const Topology& topology) const;
   std::int32_t find(std::uint64_t hash, const Topology& topology, std::int64_t length) const;
   void find_anew();
 
   Array<std::int32_t> indices_;
   Array<Kept> kept_;
-  Array<Topology> views_;        // of kept_; empty after reading a damaged snapshot
-  Array<std::int32_t> by_hash_;  // indices of those in use, sorted by hash
+  Array<Topology> views_;          // of kept_; empty after reading a damaged snapshot
+  Array<std::int32_t> by_hash_;    // indices of those in use, sorted by hash
+  Array<std::uint8_t> is_held_;    // during hold_all_of(), per index that the other world had
+  mutable bool are_sound_ = true;  // as far as is known
 };
 
 }  // namespace halfspace

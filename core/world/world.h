@@ -345,7 +345,9 @@ class World {
   void move();
   void move_and_load();
   void end_motion();
-  AssemblyFault::Kind read_record(World& from, const PackedBlock& block, BlockRecord<D>& out);
+  AssemblyFault::Kind read_record(World& from, const PackedBlock& block, std::int32_t known,
+                                  BlockRecord<D>& out);
+  std::int32_t living_slot_of(std::int64_t key) const;
   void take_settings(const World& from, std::span<const PackedBlock> blocks);
   StepResult division_in_share();
   void lap(Pass pass) {

@@ -4,7 +4,7 @@
 // processes, without the processes. Slabs across x hold as many free blocks each, and move with them.
 
 #include <algorithm>
-#include <cstring>
+#include <ctime>
 #include <limits>
 #include <vector>
 
@@ -88,7 +88,9 @@ class SplitWorld {
     hs_share_plan plan = planned();
     if (plan.needs_list || plan.needs_assembly) {
       if (!plan.needs_list) ++entrances_;
+      const auto start = std::clock();
       assemble();
+      assembling_ += double(std::clock() - start) / CLOCKS_PER_SEC;
       ++assemblies_;
       const hs_share_plan again = planned();
       if (plan.needs_list || again.needs_list) {
@@ -129,6 +131,8 @@ class SplitWorld {
   hs_context* context() const { return shares_.front().context.get(); }
 
   std::int64_t assemblies() const { return assemblies_; }
+  /// Processor seconds of all assemblies.
+  double assembling() const { return assembling_; }
   /// Assemblies only because an entry face had to be told.
   std::int64_t entrances() const { return entrances_; }
   std::int64_t migrations() const { return migrations_; }
@@ -312,6 +316,7 @@ class SplitWorld {
   std::int64_t assemblies_ = 0;
   std::int64_t migrations_ = 0;
   std::int64_t entrances_ = 0;
+  double assembling_ = 0;
 };
 
 }  // namespace halfspace_test

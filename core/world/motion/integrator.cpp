@@ -147,7 +147,7 @@ template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
   const auto move = [&](std::size_t i) {
-    if (sleep_.is_asleep(i) || blocks_.is_part(i)) return;
+    if (sleep_.is_asleep(i) || blocks_.is_part(i) || share_.is_idle(i)) return;
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
       if (!kicks_.empty()) blocks_.push(i, kicks_.of_block(i), kicks_.momentum(i));
@@ -261,7 +261,7 @@ SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t slot) const {
 
 template <int D>
 void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
-  if (blocks_.is_part(i)) return;
+  if (blocks_.is_part(i) || share_.is_idle(i)) return;
   if (sleep_.is_asleep(i)) return kick_asleep(i, sample);
   if (blocks_.is_affine(i)) return kick_affine(i, sample);
   if (blocks_.is_of_mesh(i)) return;

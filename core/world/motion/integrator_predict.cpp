@@ -36,7 +36,7 @@ bool Integrator<D>::predict(double duration) {
 
 template <int D>
 bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
-  if (blocks_.is_part(i)) return true;  // follows its compound
+  if (blocks_.is_part(i) || share_.is_idle(i)) return true;  // parts follow their compound
   if (sleep_.is_asleep(i)) {
     next_rotation_[i] = blocks_.rotation[i];
     return predict_block(i, Vector<D>::Zero(), 0, plan);

@@ -72,21 +72,27 @@ void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) 
   });
 }
 
+template <int D>
+std::int32_t World<D>::living_slot_of(std::int64_t key) const {
+  const std::int32_t slot = share_.slot_of(key, model_.blocks.slot_count());
+  return slot >= 0 && model_.blocks.lives(std::size_t(slot)) ? slot : -1;
+}
+
 /// Reads a block's record, or has the other world make it.
 template <int D>
-AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& block, BlockRecord<D>& out) {
-  const std::int32_t known = from.share_.slot_of(block.key, from.model_.blocks.slot_count());
-  const bool is_known = known >= 0 && from.model_.blocks.lives(std::size_t(known));
+AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& block, std::int32_t known,
+                                          BlockRecord<D>& out) {
+  const bool is_known = known >= 0;
   if (block.bytes.empty()) {
     if (!is_known || from.share_.is_copy(std::size_t(known))) return AssemblyFault::unknown_block;
-    from.record(std::size_t(known), true, out);
+    from.record(std::size_t(known), false, out);
   } else {
     snapshot::Reader reader(block.bytes);
     reader(out);
     if (reader.failed() || !reader.at_end() || !out.is_complete() || out.key != block.key)
       return AssemblyFault::damaged_record;
     if (!out.has_outline && !is_known) return AssemblyFault::unknown_outline;
-    if (!out.has_outline) from.model_.blocks.copy_outline(known, out.outline);
+    if (!is_known && !model_.blocks.is_sound(out.outline)) return AssemblyFault::damaged_record;
   }
   const bool is_everywhere = out.state.kind < BlockKind::rigid;
   return is_everywhere == (block.role == ShareRole::everywhere) ? AssemblyFault::none
@@ -145,11 +151,19 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   share_.reserve(blocks.size());
   integrator_.reserve(blocks.size());
   integrator_.resize(blocks.size());
+  model_.blocks.begin_taking_over(from.model_.blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const PackedBlock& block = blocks[i];
-    if (const auto fault = read_record(from, block, record); fault != AssemblyFault::none) return {fault, i};
+    const std::int32_t known = from.living_slot_of(block.key);
+    const AssemblyFault::Kind fault = read_record(from, block, known, record);
+    if (fault != AssemblyFault::none) return {fault, i};
     was_sent = was_sent || !block.bytes.empty();
-    model_.blocks.add(record.state, record.outline);
+    if (known >= 0) {
+      model_.blocks.add(record.state, from.model_.blocks, known);
+      if (!block.bytes.empty()) model_.blocks.renew_outline(std::int32_t(i));
+    } else {
+      model_.blocks.add(record.state, record.outline);
+    }
     share_.add(block.key, block.role);
     integrator_.set_rates(i, {record.acceleration, record.momentum_rate});
     if (is_listed) neighbors.add_entry(record.entry, with_gradients);
@@ -166,6 +180,7 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
       first_code += std::size_t(pair.plan_length);
     }
   }
+  model_.blocks.end_taking_over();
   std::sort(carried.begin(), carried.end(), [](const CarriedPair<D>& p, const CarriedPair<D>& q) {
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   });
@@ -199,11 +214,13 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   return {};
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                          \
-  template bool BlockRecord<D>::is_complete() const;                                                  \
-  template void World<D>::record(std::size_t, bool, BlockRecord<D>&);                                 \
-  template AssemblyFault::Kind World<D>::read_record(World<D>&, const PackedBlock&, BlockRecord<D>&); \
-  template void World<D>::take_settings(const World<D>&, std::span<const PackedBlock>);               \
+#define HALFSPACE_MEMBERS(D)                                                                      \
+  template bool BlockRecord<D>::is_complete() const;                                              \
+  template void World<D>::record(std::size_t, bool, BlockRecord<D>&);                             \
+  template AssemblyFault::Kind World<D>::read_record(World<D>&, const PackedBlock&, std::int32_t, \
+                                                     BlockRecord<D>&);                            \
+  template std::int32_t World<D>::living_slot_of(std::int64_t) const;                             \
+  template void World<D>::take_settings(const World<D>&, std::span<const PackedBlock>);           \
   template AssemblyFault World<D>::assemble(World<D>&, std::span<const PackedBlock>);
 
 HALFSPACE_MEMBERS(2)

@@ -23,6 +23,7 @@ enum class ShareStage { ready, begun, planned, moved };
 //   ring 0   own blocks: all their pairs are here, so their loads are complete
 //   ring 1   copies that have a pair with an own block
 //   ring 2   copies that have a pair with ring 1
+//   idle     other copies: nothing depends on them until the next assembly
 //
 // The entry face of a pair that meets depends on the other contacts of both blocks (Entrances), so the memory
 // of the pairs of ring 1 has to be exact as well. It is, because their contacts are found and loaded from the
@@ -32,11 +33,14 @@ enum class ShareStage { ready, begun, planned, moved };
 /// The roles of a world's blocks, if it is a share of a larger world.
 class Share {
  public:
-  explicit Share(Memory* memory) : keys_(memory), roles_(memory), rings_(memory), is_border_(memory) {}
+  explicit Share(Memory* memory)
+      : keys_(memory), roles_(memory), rings_(memory), is_border_(memory), is_idle_(memory) {}
 
   /// All blocks are own ones.
   bool is_whole() const { return roles_.empty(); }
   bool is_own(std::size_t slot) const { return is_whole() || roles_[slot] == ShareRole::own; }
+  /// A copy that need not move.
+  bool is_idle(std::size_t slot) const { return !is_idle_.empty() && is_idle_[slot]; }
   bool is_copy(std::size_t slot) const { return !is_whole() && roles_[slot] == ShareRole::neighbor; }
   ShareRole role_of(std::size_t slot) const { return is_whole() ? ShareRole::own : roles_[slot]; }
 
@@ -91,6 +95,19 @@ class Share {
       meet(b, a);
     }
   }
+  /// Finds the idle copies, from the rings. Only for a list that has just been made: until then, each block
+  /// has to plan its motion, from which skins follow.
+  template <class Pairs>
+  void find_idle(const Pairs& pairs) {
+    if (is_whole()) return;
+    is_idle_.resize(roles_.size());
+    for (std::size_t i = 0; i < roles_.size(); ++i) is_idle_[i] = is_copy(i) && rings_[i] == 2;
+    for (const auto& pair : pairs) {
+      const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+      if (rings_[a] == 1) is_idle_[b] = 0;
+      if (rings_[b] == 1) is_idle_[a] = 0;
+    }
+  }
   /// An entry face has followed from the contacts of an own pair's blocks. Other shares that compute the pair
   /// cannot know it.
   template <class Pair>
@@ -124,6 +141,7 @@ class Share {
   Array<ShareRole> roles_;    // per slot; empty: all are own
   Array<std::uint8_t> rings_;
   Array<std::uint8_t> is_border_;
+  Array<std::uint8_t> is_idle_;  // empty: none is
   std::int64_t blocks_in_all_ = 0;
   double typical_radius_ = 0;
   std::int64_t lost_pairs_ = 0;

@@ -58,6 +58,7 @@ SharedMotion World<D>::plan_in_share() {
 template <int D>
 SharedMotion World<D>::renew_list_in_share() {
   renew_neighbors();
+  share_.find_idle(contacts_.neighbors().pairs());
   SharedMotion motion;
   motion.result = division_in_share();
   return motion;

@@ -1,0 +1,79 @@
+#pragma once
+
+// Scenes that are cut into shares, as snapshots.
+
+#include "golden/stage.h"
+
+namespace halfspace_test {
+
+/// Polygons that fall into a trough and slide along its inclined floor.
+inline std::vector<unsigned char> heap_in_plane(const LawOfStiffness& of, std::int32_t kind, int count = 80) {
+  hs_world_def def = world_def();
+  def.local_damping = 0.05;
+  def.time_step = 4e-5;
+  def.gravity[0] = 3;
+  Stage stage(def);
+  stage.elastic_material(2500, elasticity_def(1e8, 1e-5));
+  stage.law(law_of(of, 5e7, 0.4));
+  const double half = 0.25 * count / 4 + 1;
+  stage.add(stage.rectangle({-half - 1, -1}, {half + 1, 0}), HS_BLOCK_FIXED);
+  stage.add(stage.rectangle({-half - 1, 0}, {-half, 4}), HS_BLOCK_FIXED);
+  stage.add(stage.rectangle({half, 0}, {half + 1, 4}), HS_BLOCK_FIXED);
+  Random random(42);
+  for (int i = 0; i < count; ++i) {
+    const Shape grain = stage.polygon(random_round_polygon(random, 3 + i % 6, 0.23));
+    stage.add(grain, kind,
+              turned_pose({-half + 0.5 + 0.5 * (i / 4), 0.25 + 0.5 * (i % 4)}, number_between(random, -2, 2)),
+              {2, -4, 0});
+  }
+  return saved(stage.world());
+}
+
+/// Bonded bricks on a floor that goes off sideways.
+inline std::vector<unsigned char> wall_in_plane() {
+  hs_world_def def = world_def();
+  def.time_step = 2e-5;
+  Stage stage(def);
+  stage.material(2000);
+  hs_law_def law = law_of(laws_of_stiffness[0], 1e8, 0.5);
+  law.cohesion = 3e4;
+  law.tensile_strength = 1e4;
+  stage.law(law);
+  const Shape brick = stage.rectangle({-0.5, -0.25}, {0.5, 0.25}),
+              floor = stage.rectangle({-12, -0.5}, {12, 0.5});
+  stage.add(floor, HS_BLOCK_PRESCRIBED, turned_pose({0, -0.5}, 0), {1.5, 0, 0});
+  for (int row = 0; row < 5; ++row)
+    for (int i = 0; i < 12; ++i)
+      stage.add(brick, HS_BLOCK_RIGID, turned_pose({i - 6 + 0.5 * (row % 2), 0.25 + 0.5 * row}, 0));
+  return saved(stage.world());
+}
+
+/// Hulls that fall into a long box and slide along it.
+inline std::vector<unsigned char> heap_in_space(const LawOfStiffness& of, std::int32_t kind, int count = 60) {
+  hs_world_def def = world_def(3);
+  def.local_damping = 0.05;
+  def.time_step = 2e-5;
+  def.gravity[0] = 3;
+  Stage stage(def);
+  stage.elastic_material(2500, elasticity_def(1e8, 1e-5));
+  stage.law(law_of(of, 2e6, 0.4));
+  const double length = 0.36 * count / 4 + 1, width = 0.75;
+  stage.add(stage.cuboid({-length - 1, -width - 1, -0.5}, {length + 1, width + 1, 0}), HS_BLOCK_FIXED);
+  stage.add(stage.cuboid({-length - 1, -width - 1, 0}, {-length, width + 1, 3}), HS_BLOCK_FIXED);
+  stage.add(stage.cuboid({length, -width - 1, 0}, {length + 1, width + 1, 3}), HS_BLOCK_FIXED);
+  stage.add(stage.cuboid({-length, -width - 1, 0}, {length, -width, 3}), HS_BLOCK_FIXED);
+  stage.add(stage.cuboid({-length, width, 0}, {length, width + 1, 3}), HS_BLOCK_FIXED);
+  Random random(42);
+  for (int i = 0; i < count; ++i) {
+    const Shape grain = make_hull(stage.context(), random_round_points(random, 5 + 2 * (i % 6), 0.3));
+    const Point3 axis = {number_between(random, -1, 1), number_between(random, -1, 1),
+                         number_between(random, -1, 1)};
+    stage.add(grain, kind,
+              turned_pose({-length + 0.5 + 0.72 * (i / 4), -0.36 + 0.72 * (i % 2), 0.42 + 0.72 * (i / 2 % 2)},
+                          axis, 0.7),
+              {2, 0, -4});
+  }
+  return saved(stage.world());
+}
+
+}  // namespace halfspace_test
