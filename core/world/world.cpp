@@ -14,10 +14,10 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       model_(settings, memory),
       contacts_(model_, memory),
       forces_(model_, contacts_, threads, memory),
-      bond_pass_(model_),
-      water_pass_(model_, forces_, threads, memory),
-      sleep_(memory),
       share_(memory),
+      bond_pass_(model_),
+      water_pass_(model_, forces_, share_, threads, memory),
+      sleep_(memory),
       integrator_(model_, contacts_.neighbors(), forces_, sleep_, share_, threads, memory),
       hard_contacts_(model_, contacts_, integrator_, memory),
       stable_step_(model_, contacts_, memory),
@@ -72,7 +72,7 @@ void World<D>::renew_neighbors(int renewals) {
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
   const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 2.0 : 1.0, renewals == 0,
-                       share_.typical_radius()};
+                       share_.common().typical_radius};
   neighbors.search_again(model_.blocks, skins, with_shear);
   contacts_.fit_room();
   fit_rooms();

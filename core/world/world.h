@@ -348,7 +348,11 @@ class World {
   AssemblyFault::Kind read_record(World& from, const PackedBlock& block, std::int32_t known,
                                   BlockRecord<D>& out);
   std::int32_t living_slot_of(std::int64_t key) const;
-  void take_settings(const World& from, std::span<const PackedBlock> blocks);
+  Share::Common common_of_shares();
+  AssemblyFault take_blocks(World& from, std::span<const PackedBlock> blocks, CarriedPairs<D>& pairs);
+  void take_pairs(const World& from, const CarriedPairs<D>& pairs);
+  void take_contacts(const World& from, const CarriedPairs<D>& pairs);
+  void take_settings(World& from, std::span<const PackedBlock> blocks);
   StepResult division_in_share();
   void lap(Pass pass) {
     if (stopwatch_ && (pass != Pass::hard_contacts || hard_contacts_.is_used())) stopwatch_->lap(pass);
@@ -361,10 +365,10 @@ class World {
   Clock clock_;
   ContactList<D> contacts_;
   ForcePass<D> forces_;
+  Share share_;
   BondPass<D> bond_pass_;
   WaterPass<D> water_pass_;
   Sleep<D> sleep_;
-  Share share_;
   Integrator<D> integrator_;
   HardContacts<D> hard_contacts_;
   StableStep<D> stable_step_;

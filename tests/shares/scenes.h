@@ -2,6 +2,7 @@
 
 // Scenes that are cut into shares, as snapshots.
 
+#include "capi/loads.h"
 #include "golden/stage.h"
 
 namespace halfspace_test {
@@ -46,6 +47,14 @@ inline std::vector<unsigned char> wall_in_plane() {
     for (int i = 0; i < 12; ++i)
       stage.add(brick, HS_BLOCK_RIGID, turned_pose({i - 6 + 0.5 * (row % 2), 0.25 + 0.5 * row}, 0));
   return saved(stage.world());
+}
+
+/// The same wall in water that covers three of its rows.
+inline std::vector<unsigned char> wall_in_water() {
+  const Context context = make_context();
+  const World world = restored(context.get(), wall_in_plane());
+  set_water(context.get(), world.get(), {{-20, 1.4, 0}, {20, 1.4, 0}});
+  return saved(world.get());
 }
 
 /// Hulls that fall into a long box and slide along it.

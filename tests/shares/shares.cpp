@@ -22,6 +22,10 @@ TEST_CASE("bonds by laws break in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) compare(wall_in_plane(), shares, 8000);
 }
 
+TEST_CASE("water acts in shares as in the whole world", "[shares]") {
+  for (const std::size_t shares : {2, 3, 8}) compare(wall_in_water(), shares, 4000);
+}
+
 TEST_CASE("shares with two threads each keep the bits", "[shares]") {
   compare(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID, 1600), 2, 400, 2);
 }

@@ -17,7 +17,7 @@ double WaterPass<D>::load() {
   sum_each_chunk(threads_, blocks.slot_count(), ForcePass<D>::blocks_per_strip, energy_,
                  [&](const Chunk& chunk, double& energy) {
                    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                     if (!blocks.moves(i)) continue;
+                     if (!blocks.moves(i) || !share_.wets(i)) continue;
                      const WaterLoad<D> water = model_.water.load_on(blocks, i, unit_weight);
                      forces_.add_load(i, water.force, water.virial);
                      energy += water.energy;

@@ -24,19 +24,6 @@ bool BlockRecord<D>::is_complete() const {
          (!has_outline || outline.is_complete());
 }
 
-namespace {
-
-/// A pair of the world to be assembled, with the place of its division plan.
-template <int D>
-struct CarriedPair {
-  std::int32_t a;
-  std::int32_t b;
-  PairRecord<D> memory;
-  std::size_t first_code;
-};
-
-}  // namespace
-
 template <int D>
 void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) {
   const Blocks<D>& blocks = model_.blocks;
@@ -99,10 +86,21 @@ AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& blo
                                                                 : AssemblyFault::wrong_role;
 }
 
-/// All but the blocks and their pairs. Losses go to the share that owns the first free block of a whole
-/// world.
+/// What all shares of this world, or of that of which it is a share, have in common.
 template <int D>
-void World<D>::take_settings(const World<D>& from, std::span<const PackedBlock> blocks) {
+Share::Common World<D>::common_of_shares() {
+  if (!share_.is_whole()) return share_.common();
+  const Blocks<D>& blocks = model_.blocks;
+  std::size_t first = 0;
+  while (first < blocks.slot_count() && !blocks.moves_freely(first)) ++first;
+  return {blocks.count(), first < blocks.slot_count() ? share_.key_of(first) : -1,
+          contacts_.neighbors().median_radius(blocks)};
+}
+
+/// All but the blocks and their pairs. Of a whole world, the share that owns its first free block takes the
+/// losses.
+template <int D>
+void World<D>::take_settings(World<D>& from, std::span<const PackedBlock> blocks) {
   model_.settings = from.model_.settings;
   model_.materials = from.model_.materials;
   model_.water = from.model_.water;
@@ -112,55 +110,39 @@ void World<D>::take_settings(const World<D>& from, std::span<const PackedBlock> 
   strength_factor_ = from.strength_factor_;
   edited_ = from.edited_;
   penetration_bound_.note(from.penetration_bound_.noted());
-  if (!from.share_.is_whole()) {
-    ledger_ = from.ledger_;
-    return;
-  }
-  const Blocks<D>& all = from.model_.blocks;
+  const std::int64_t first = from.common_of_shares().first_key;
   const auto is_first = [&](const PackedBlock& block) {
-    std::size_t first = 0;
-    while (first < all.slot_count() && !all.moves_freely(first)) ++first;
-    return block.role == ShareRole::own && first < all.slot_count() && block.key == from.share_.key_of(first);
+    return block.key == first && block.role == ShareRole::own;
   };
-  const auto own = std::find_if(blocks.begin(), blocks.end(),
-                                [](const PackedBlock& block) { return block.role == ShareRole::own; });
-  if (own != blocks.end() && is_first(*own)) ledger_ = from.ledger_;
+  if (!from.share_.is_whole() || std::any_of(blocks.begin(), blocks.end(), is_first)) ledger_ = from.ledger_;
 }
 
+/// Adds the blocks in order, so that slot i is that of block i. A pair comes with the record of its first
+/// block, or, where that is everywhere, with the other.
 template <int D>
-AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> blocks) {
-  take_settings(from, blocks);
-  Memory* const memory = model_.blocks.kind.get_allocator().resource();
-  NeighborList<D>& neighbors = contacts_.neighbors();
-  const LawTable& laws = model_.materials.laws();
-  const bool with_shear = laws.any([](const ContactLaw& law) { return law.resists_shear(); });
-  const bool with_gradients = from.contacts_.neighbors().has_gradients();
-  const bool is_listed = from.contacts_.neighbors().list_length() > 0;
-
+AssemblyFault World<D>::take_blocks(World<D>& from, std::span<const PackedBlock> blocks,
+                                    CarriedPairs<D>& pairs) {
+  const auto precedes = [](const PackedBlock& block, std::int64_t key) { return block.key < key; };
   const auto slot_of = [&](std::int64_t key) {
-    const auto found =
-        std::lower_bound(blocks.begin(), blocks.end(), key,
-                         [](const PackedBlock& block, std::int64_t k) { return block.key < k; });
+    const auto found = std::lower_bound(blocks.begin(), blocks.end(), key, precedes);
     return found != blocks.end() && found->key == key ? std::int32_t(found - blocks.begin()) : -1;
   };
-  BlockRecord<D> record(memory);
-  Array<CarriedPair<D>> carried(memory);
-  Array<PlanCode> codes(memory);
-  Array<std::int32_t> missing(blocks.size(), 0, memory);
-  bool was_sent = false;
+  NeighborList<D>& neighbors = contacts_.neighbors();
+  const bool is_listed = from.contacts_.neighbors().list_length() > 0;
+  const bool with_gradients = from.contacts_.neighbors().has_gradients();
+  BlockRecord<D> record(model_.blocks.kind.get_allocator().resource());
   share_.reserve(blocks.size());
   integrator_.reserve(blocks.size());
   integrator_.resize(blocks.size());
   model_.blocks.begin_taking_over(from.model_.blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const PackedBlock& block = blocks[i];
-    const std::int32_t known = from.living_slot_of(block.key);
+    const std::int32_t known = from.living_slot_of(block.key), self = std::int32_t(i);
     const AssemblyFault::Kind fault = read_record(from, block, known, record);
     if (fault != AssemblyFault::none) return {fault, i};
-    was_sent = was_sent || !block.bytes.empty();
     if (known >= 0) {
       model_.blocks.add(record.state, from.model_.blocks, known);
-      if (!block.bytes.empty()) model_.blocks.renew_outline(std::int32_t(i));
+      if (!block.bytes.empty()) model_.blocks.renew_outline(self);
     } else {
       model_.blocks.add(record.state, record.outline);
     }
@@ -168,59 +150,83 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
     integrator_.set_rates(i, {record.acceleration, record.momentum_rate});
     if (is_listed) neighbors.add_entry(record.entry, with_gradients);
     contacts_.add_new_mark(record.is_new);
-    std::size_t first_code = codes.size();
-    codes.insert(codes.end(), record.plans.begin(), record.plans.end());
+    std::size_t first_code = pairs.codes.size();
+    pairs.codes.insert(pairs.codes.end(), record.plans.begin(), record.plans.end());
     for (const PairRecord<D>& pair : record.pairs) {
-      const std::int32_t self = std::int32_t(i), partner = slot_of(pair.partner);
+      const std::int32_t partner = slot_of(pair.partner);
       if (partner < 0) {
-        ++missing[i];
+        ++pairs.missing[i];
       } else if (partner > self || blocks[std::size_t(partner)].role == ShareRole::everywhere) {
-        carried.push_back({std::min(self, partner), std::max(self, partner), pair, first_code});
+        pairs.all.push_back({std::min(self, partner), std::max(self, partner), pair, first_code});
       }
       first_code += std::size_t(pair.plan_length);
     }
   }
   model_.blocks.end_taking_over();
-  std::sort(carried.begin(), carried.end(), [](const CarriedPair<D>& p, const CarriedPair<D>& q) {
-    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
-  });
-  for (const CarriedPair<D>& pair : carried)
-    neighbors.add_pair(Candidate<D>{pair.a, pair.b, pair.memory.witness, pair.memory.bonded, {}},
-                       pair.memory.shear, with_shear);
-  neighbors.end_taking_over(from.contacts_.neighbors());
-  share_.end_adding(from.share_.is_whole() ? from.model_.blocks.count() : from.share_.blocks_in_all(),
-                    from.share_.is_whole() ? from.contacts_.neighbors().median_radius(from.model_.blocks)
-                                           : from.share_.typical_radius());
-  share_.find_rings(neighbors.pairs());
-  share_.note_missing(missing);
-
-  for (std::size_t k = 0; k < carried.size(); ++k) {
-    if (carried[k].memory.is_in_contact && share_.loads(neighbors.pairs()[k])) contacts_.add_contact(k);
-  }
-  contacts_.end_taking_over(from.contacts_);
-  fit_rooms();
-  for (std::size_t k = 0; k < carried.size(); ++k) {
-    forces_.set_force(k, carried[k].memory.force);
-    if constexpr (D == 3) {
-      const PairRecord<D>& pair = carried[k].memory;
-      if (pair.plan_length > 0)
-        neighbors.plans().add({codes.data() + carried[k].first_code, std::size_t(pair.plan_length)},
-                              neighbors.pairs()[k].plan);
-    }
-  }
-  forces_.end_taking_over(from.forces_);
-  integrator_.look_what_moves();
-  if (was_sent && !is_consistent()) return {AssemblyFault::inconsistent_state, 0};
+  std::sort(pairs.all.begin(), pairs.all.end(),
+            [](const auto& p, const auto& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
   return {};
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                      \
-  template bool BlockRecord<D>::is_complete() const;                                              \
-  template void World<D>::record(std::size_t, bool, BlockRecord<D>&);                             \
-  template AssemblyFault::Kind World<D>::read_record(World<D>&, const PackedBlock&, std::int32_t, \
-                                                     BlockRecord<D>&);                            \
-  template std::int32_t World<D>::living_slot_of(std::int64_t) const;                             \
-  template void World<D>::take_settings(const World<D>&, std::span<const PackedBlock>);           \
+template <int D>
+void World<D>::take_pairs(const World<D>& from, const CarriedPairs<D>& pairs) {
+  NeighborList<D>& neighbors = contacts_.neighbors();
+  const bool with_shear =
+      model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
+  for (const auto& pair : pairs.all) {
+    const PairRecord<D>& memory = pair.memory;
+    neighbors.add_pair({pair.a, pair.b, memory.witness, memory.bonded, {}}, memory.shear, with_shear);
+  }
+  neighbors.end_taking_over(from.contacts_.neighbors());
+  share_.find_rings(neighbors.pairs());
+  share_.note_missing(pairs.missing);
+}
+
+/// Contacts, their forces and division plans.
+template <int D>
+void World<D>::take_contacts(const World<D>& from, const CarriedPairs<D>& pairs) {
+  for (std::size_t k = 0; k < pairs.all.size(); ++k) {
+    if (pairs.all[k].memory.is_in_contact && share_.loads(pairs.all[k])) contacts_.add_contact(k);
+  }
+  contacts_.end_taking_over(from.contacts_);
+  fit_rooms();
+  for (std::size_t k = 0; k < pairs.all.size(); ++k) {
+    forces_.set_force(k, pairs.all[k].memory.force);
+    if constexpr (D == 3) {
+      NeighborList<D>& neighbors = contacts_.neighbors();
+      const std::span<const PlanCode> plan = pairs.plan_of(pairs.all[k]);
+      if (!plan.empty()) neighbors.plans().add(plan, neighbors.pairs()[k].plan);
+    }
+  }
+  forces_.end_taking_over(from.forces_);
+}
+
+template <int D>
+AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> blocks) {
+  take_settings(from, blocks);
+  CarriedPairs<D> pairs(blocks.size(), model_.blocks.kind.get_allocator().resource());
+  const AssemblyFault fault = take_blocks(from, blocks, pairs);
+  if (fault.kind != AssemblyFault::none) return fault;
+  share_.end_adding(from.common_of_shares());
+  take_pairs(from, pairs);
+  take_contacts(from, pairs);
+  integrator_.look_what_moves();
+  const auto was_sent = [](const PackedBlock& block) { return !block.bytes.empty(); };
+  const bool is_trusted = std::none_of(blocks.begin(), blocks.end(), was_sent);
+  return {is_trusted || is_consistent() ? AssemblyFault::none : AssemblyFault::inconsistent_state, 0};
+}
+
+#define HALFSPACE_MEMBERS(D)                                                                               \
+  template bool BlockRecord<D>::is_complete() const;                                                       \
+  template void World<D>::record(std::size_t, bool, BlockRecord<D>&);                                      \
+  template AssemblyFault::Kind World<D>::read_record(World<D>&, const PackedBlock&, std::int32_t,          \
+                                                     BlockRecord<D>&);                                     \
+  template std::int32_t World<D>::living_slot_of(std::int64_t) const;                                      \
+  template Share::Common World<D>::common_of_shares();                                                     \
+  template void World<D>::take_settings(World<D>&, std::span<const PackedBlock>);                          \
+  template AssemblyFault World<D>::take_blocks(World<D>&, std::span<const PackedBlock>, CarriedPairs<D>&); \
+  template void World<D>::take_pairs(const World<D>&, const CarriedPairs<D>&);                             \
+  template void World<D>::take_contacts(const World<D>&, const CarriedPairs<D>&);                          \
   template AssemblyFault World<D>::assemble(World<D>&, std::span<const PackedBlock>);
 
 HALFSPACE_MEMBERS(2)

@@ -12,8 +12,8 @@ namespace halfspace {
 struct PackedBlock {
   std::int64_t key = 0;
   ShareRole role = ShareRole::own;
-  std::span<const std::byte>
-      bytes;  // its record; empty: as the world has it from which the share is assembled
+  /// Its record; empty: as the world has it from which the share is assembled.
+  std::span<const std::byte> bytes;
 };
 
 /// Why a world cannot be assembled, and at which of its blocks.

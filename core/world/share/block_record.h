@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "block/block_state.h"
 #include "force/potential/space/division_plan.h"
@@ -47,6 +48,27 @@ struct BlockRecord {
     archive(key, has_outline, is_new, state, acceleration, momentum_rate, entry, pairs, plans);
     if (has_outline) archive(outline);
   }
+};
+
+/// The pairs of a world to be assembled, from the records of its blocks.
+template <int D>
+struct CarriedPairs {
+  struct Pair {
+    std::int32_t a;
+    std::int32_t b;
+    PairRecord<D> memory;
+    std::size_t first_code;  // of its division plan, in `codes`
+  };
+
+  CarriedPairs(std::size_t blocks, Memory* memory) : all(memory), codes(memory), missing(blocks, 0, memory) {}
+
+  std::span<const PlanCode> plan_of(const Pair& pair) const {
+    return {codes.data() + pair.first_code, std::size_t(pair.memory.plan_length)};
+  }
+
+  Array<Pair> all;  // in ascending order of a, then b
+  Array<PlanCode> codes;
+  Array<std::int32_t> missing;  // per block, the number of its pairs with blocks that are not here
 };
 
 }  // namespace halfspace

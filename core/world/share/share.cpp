@@ -10,14 +10,11 @@ std::int32_t Share::slot_of(std::int64_t key, std::size_t slots) const {
   return found != keys_.end() && *found == key ? std::int32_t(found - keys_.begin()) : -1;
 }
 
-void Share::end_adding(std::int64_t blocks_in_all, double typical_radius) {
+void Share::end_adding(const Common& common) {
   const bool has_copies = std::find(roles_.begin(), roles_.end(), ShareRole::neighbor) != roles_.end();
-  if (!has_copies && std::int64_t(roles_.size()) == blocks_in_all) {
-    roles_.clear();
-    return;
-  }
-  blocks_in_all_ = blocks_in_all;
-  typical_radius_ = typical_radius;
+  if (!has_copies && std::int64_t(roles_.size()) == common.blocks) return roles_.clear();
+  common_ = common;
+  slot_of_first_ = slot_of(common.first_key, roles_.size());
 }
 
 void Share::note_missing(std::span<const std::int32_t> missing) {

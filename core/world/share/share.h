@@ -55,6 +55,11 @@ class Share {
   bool counts(const Pair& pair) const {
     return is_own(std::size_t(pair.a)) || (!is_copy(std::size_t(pair.a)) && is_own(std::size_t(pair.b)));
   }
+  /// Does water act on a block here? On one that is everywhere it does in the share that owns the first free
+  /// block of all.
+  bool wets(std::size_t slot) const {
+    return is_own(slot) || (!is_copy(slot) && slot_of_first_ >= 0 && is_own(std::size_t(slot_of_first_)));
+  }
   /// Is the memory of a pair exact here? Others are not computed.
   template <class Pair>
   bool follows(const Pair& pair) const {
@@ -77,8 +82,15 @@ class Share {
     keys_.push_back(key);
     roles_.push_back(role);
   }
+  /// What all shares of a world have in common.
+  struct Common {
+    std::int64_t blocks = 0;     // of all shares, copies not counted
+    std::int64_t first_key = 0;  // of the free blocks
+    double typical_radius = 0;   // their median
+  };
+  const Common& common() const { return common_; }
   /// Call when all blocks have been added. With all blocks of the world, and no copies, a share is whole.
-  void end_adding(std::int64_t blocks_in_all, double typical_radius);
+  void end_adding(const Common& common);
 
   /// Finds the rings, and which own blocks are in ring 1 of another share. `pairs`: of the list in use.
   template <class Pairs>
@@ -122,10 +134,6 @@ class Share {
   ShareStage stage() const { return stage_; }
   void enter(ShareStage stage) { stage_ = stage; }
 
-  /// The number of blocks of all shares, copies not counted; 0: this is the whole world.
-  std::int64_t blocks_in_all() const { return blocks_in_all_; }
-  /// The median radius of the free blocks of all shares; 0: this is the whole world.
-  double typical_radius() const { return typical_radius_; }
   /// Pairs of rings 0 and 1 whose other block is not here: the copies do not reach far enough.
   std::int64_t lost_pairs() const { return lost_pairs_; }
 
@@ -142,8 +150,8 @@ class Share {
   Array<std::uint8_t> rings_;
   Array<std::uint8_t> is_border_;
   Array<std::uint8_t> is_idle_;  // empty: none is
-  std::int64_t blocks_in_all_ = 0;
-  double typical_radius_ = 0;
+  Common common_;
+  std::int32_t slot_of_first_ = -1;  // of the free blocks of all; -1: it is not here
   std::int64_t lost_pairs_ = 0;
   bool needs_assembly_ = false;
   ShareStage stage_ = ShareStage::ready;

@@ -88,8 +88,7 @@ template <int D>
 double World<D>::halo() {
   const Blocks<D>& blocks = model_.blocks;
   NeighborList<D>& neighbors = contacts_.neighbors();
-  const double typical =
-      share_.typical_radius() > 0 ? share_.typical_radius() : neighbors.median_radius(blocks);
+  const double typical = common_of_shares().typical_radius;
   double reach = 0;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (!blocks.moves_freely(i)) continue;
