@@ -56,7 +56,8 @@ struct WorldParts {
   NeighborList<D>& neighbors = contacts.neighbors();
   ForcePass<D> forces{model, contacts, nullptr, memory};
   Sleep<D> sleep{memory};
-  Integrator<D> integrator{model, neighbors, forces, sleep, nullptr, memory};
+  Share share{memory};
+  Integrator<D> integrator{model, neighbors, forces, sleep, share, nullptr, memory};
   StableStep<D> stable_step{model, contacts, memory};
   PenetrationBound<D> spring_stop{model, contacts};
   ContinuousCollision<D> fast_motion{model, contacts, integrator, clock, stable_step, spring_stop, 1, memory};
