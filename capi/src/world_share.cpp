@@ -283,7 +283,8 @@ hs_status hs_world_plan_motion(hs_world* world, hs_share_plan* plan) {
     require_pointer(plan, "plan");
     require_shareable(w);
     const ShareStage stage = w.share().stage();
-    require_piece(!w.is_changed(), "hs_world_begin() and hs_world_end_begin()");
+    require_piece(!w.is_changed() && !w.contacts().has_new_blocks(),
+                  "hs_world_begin() and hs_world_end_begin()");
     require_piece(stage == ShareStage::ready || stage == ShareStage::planned, "hs_world_end_step()");
     const SharedMotion motion = w.plan_in_share();
     *plan = plan_of(motion);

@@ -26,6 +26,13 @@ TEST_CASE("water acts in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) compare(wall_in_water(), shares, 4000);
 }
 
+TEST_CASE("bonds by laws are made in shares of a world that was reported", "[shares]") {
+  const Context context = make_context();
+  const World wall = restored(context.get(), wall_in_plane());
+  (void)report_of(wall.get());  // finds the contacts of the start, and makes no bonds yet
+  compare(saved(wall.get()), 3, 2000);
+}
+
 TEST_CASE("shares with two threads each keep the bits", "[shares]") {
   compare(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID, 1600), 2, 400, 2);
 }

@@ -22,10 +22,10 @@ void World<D>::set_keys(std::span<const std::int64_t> keys) {
 
 template <int D>
 StepResult World<D>::begin_in_share() {
-  if (!edited_) return StepResult::ok;
+  if (!edited_ && !contacts_.has_new_blocks()) return StepResult::ok;
   renew_neighbors_if_needed();
   if (contacts_.has_new_blocks()) make_bonds();
-  return load_changed();
+  return edited_ ? load_changed() : StepResult::ok;
 }
 
 /// Would the predicted motion have to be divided?

@@ -3160,8 +3160,8 @@ extern "C" {
     /// - `ends`: receives, per key, where its bytes end; may be NULL
     /// - `needed`: receives the number of bytes of all blocks
     ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED (then the bytes are those of the first blocks, and worthless),
-    /// HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (then only `needed` is written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
+    /// (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_pack(
         world: *mut hs_world,
         keys: *const i64,
