@@ -17,6 +17,7 @@ ENUMERATIONS = {
     "HS_UNBALANCED_": (None, "Unbalanced"),
     "HS_ACTION_": (None, "ActionKind"),
     "HS_PLACE_": (None, "ForcePlace"),
+    "HS_ROLE_": ("Role", "Role"),
 }
 SUMS = {"HS_PART_"}  # of several constants at once
 
@@ -58,6 +59,9 @@ MEANINGS = {
     "hs_strength_report.stands_at_low": FLAG,
     "hs_strength_report.falls_at_high": FLAG,
     "hs_world_def.locate_impacts": FLAG,
+    "hs_share_info.is_whole": FLAG,
+    "hs_share_plan.needs_list": FLAG,
+    "hs_share_plan.needs_assembly": FLAG,
     "hs_action_def.kind": "HS_ACTION_",
     "hs_action_def.place": "HS_PLACE_",
     "hs_action_def.table": INDEX,

@@ -10,7 +10,7 @@ from . import _raw, constants
 from ._record import Floats, Record, record_type
 '''
 METHODS_OF_NUMPY = ("mean",)  # that a field replaces
-NOT_READ = ("_def", "_options", "_view")  # a host fills these
+NOT_READ = ("_def", "_options", "_packed", "_view")  # a host fills these
 
 
 def write(api):

@@ -10,6 +10,7 @@ KEYWORDS = {"as", "box", "const", "crate", "dyn", "else", "enum", "extern", "fn"
             "unsafe", "use", "where", "yield"}
 
 LONGEST_LINE = 100
+LINK = re.compile(r"(\[`[^`]*`\]\([\w:]+\))")
 
 HEAD = '''\
 // Generated {generated}.
@@ -153,8 +154,10 @@ def documented(comment, indent=""):
 
 
 def escaped(comment):
-    """Brackets are intervals and indices, not links."""
-    return comment.replace("[", r"\[").replace("]", r"\]")
+    """Brackets are intervals and indices, but for links to code."""
+    parts = LINK.split(comment)
+    parts[::2] = [part.replace("[", r"\[").replace("]", r"\]") for part in parts[::2]]
+    return "".join(parts)
 
 
 def unquoted(line):

@@ -20,7 +20,7 @@ use crate::block::{{Block, Material}};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::impact::Impact;
-use crate::kinds::{{BlockKind, BondFailure, FaultKind, ImpactState, PairKind}};
+use crate::kinds::{{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind}};
 use crate::pose::Pose;
 use crate::world::World;
 '''
@@ -36,6 +36,11 @@ CELL = ByHand("limiting_cell", "Option<(Body, usize)>",
 VERTICES = ByHand("vertices", "Vec<[f64; 2]>", None, "Remaining vertices, counter-clockwise.", ())
 FALLEN = ByHand("fallen", "Option<World>", None, "Final state of the last copy that failed; `None` if none did. Its "
                 "velocities and [`bond events`](World::bond_events) show the mechanism.", ())
+REFUSAL = ByHand("refusal", "Option<ErrorKind>",
+                 "(raw.refusal != sys::HS_OK).then(|| ErrorKind::from_value(raw.refusal))",
+                 "The error with which [`move_blocks`](World::move_blocks) would end: `TooFast`, a block moves by more than "
+                 "its radius, turns by more than 1 rad, or approaches another so fast that the step would be divided; "
+                 "`Unstable`, the motion is not finite.", ("refusal",))
 HIT = ByHand(None, None, None, None, ("is_hit",))  # a ray without a hit is `None`
 ON_SUCCESS = ByHand(None, None, None, None, ("fault", "sufficient_tolerance"))  # the report of a fault is an error
 
@@ -59,6 +64,8 @@ RECORDS = {
     "hs_ray_hit": Record("RayHit", None, (HIT,)),
     "hs_closest_points": Record("ClosestPoints"),
     "hs_balance": Record("Balance"),
+    "hs_share_info": Record("ShareInfo"),
+    "hs_share_plan": Record("SharePlan", None, (REFUSAL,)),
     "hs_strength_report": Record("StrengthFound", "Debug", (FALLEN,)),
 }
 SAME_LAYOUT = {"hs_deformation": "Deformation", "hs_cell_state": "CellState"}  # arrays of them are written in place

@@ -2397,7 +2397,7 @@ module halfspace_c
       type(c_ptr), value :: world  !< begun or moved
       type(c_ptr), value :: keys  !< of own blocks
       integer(c_int64_t), value :: count  !< number of keys
-      type(c_ptr), value :: loads  !< receives count * hs_share_infoload_length numbers
+      type(c_ptr), value :: loads  !< receives count * hs_share_info.load_length numbers
       integer(c_int32_t) :: hs_world_get_loads
     end function hs_world_get_loads
 
@@ -2408,7 +2408,7 @@ module halfspace_c
       type(c_ptr), value :: world  !< begun or moved
       type(c_ptr), value :: keys  !< of copies
       integer(c_int64_t), value :: count  !< number of keys
-      type(c_ptr), value :: loads  !< count * hs_share_infoload_length numbers
+      type(c_ptr), value :: loads  !< count * hs_share_info.load_length numbers
       integer(c_int32_t) :: hs_world_set_loads
     end function hs_world_set_loads
 

@@ -190,3 +190,12 @@ class Unbalanced(IntEnum):
     MEAN = _raw.HS_UNBALANCED_MEAN
     # largest ratio of a single block or node; for negligible forces relative to the mean force
     LARGEST = _raw.HS_UNBALANCED_LARGEST
+
+
+class Role(IntEnum):
+    """What a block is in a share."""
+
+    OWN = _raw.HS_ROLE_OWN  # this share loads, counts and packs it
+    NEIGHBOR = _raw.HS_ROLE_NEIGHBOR  # a copy: it moves alike, and its loads come from the share that owns it
+    # fixed and prescribed blocks: in all shares, without loads of their own
+    EVERYWHERE = _raw.HS_ROLE_EVERYWHERE

@@ -950,30 +950,6 @@ class Balance(Record):
 BALANCE = record_type(Balance, _raw.hs_balance)
 
 
-class Packed(Record):
-    """A block of a share to be assembled.
-
-    Attributes
-    ----------
-    key : int
-        name of the block in all shares
-    bytes : int
-        from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
-    size : int
-        of the bytes; 0 if they are NULL
-    role : int
-        an HS_ROLE_ value
-    """
-
-    key: int
-    bytes: int
-    size: int
-    role: int
-
-
-PACKED = record_type(Packed, _raw.hs_packed)
-
-
 class ShareInfo(Record):
     """A share, and how far its copies must reach.
 

@@ -177,7 +177,7 @@ HS_CHECKED hs_status hs_world_move(hs_world *world);
  *  the virial, row by row.
  *  @param world begun or moved
  *  @param keys of own blocks @param count number of keys
- *  @param loads receives count * hs_share_info::load_length numbers
+ *  @param loads receives count * hs_share_info.load_length numbers
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_get_loads(const hs_world *world, const int64_t keys[], int64_t count,
                                         double loads[]);
@@ -185,7 +185,7 @@ HS_CHECKED hs_status hs_world_get_loads(const hs_world *world, const int64_t key
 /** @brief Sets the loads of the contacts on copies, as their owners have computed them.
  *  @param world begun or moved
  *  @param keys of copies @param count number of keys
- *  @param loads count * hs_share_info::load_length numbers
+ *  @param loads count * hs_share_info.load_length numbers
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_set_loads(hs_world *world, const int64_t keys[], int64_t count,
                                         const double loads[]);

@@ -3258,7 +3258,7 @@ extern "C" {
     /// - `world`: begun or moved
     /// - `keys`: of own blocks
     /// - `count`: number of keys
-    /// - `loads`: receives count * hs_share_infoload_length numbers
+    /// - `loads`: receives count * hs_share_info.load_length numbers
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
     pub fn hs_world_get_loads(
@@ -3273,7 +3273,7 @@ extern "C" {
     /// - `world`: begun or moved
     /// - `keys`: of copies
     /// - `count`: number of keys
-    /// - `loads`: count * hs_share_infoload_length numbers
+    /// - `loads`: count * hs_share_info.load_length numbers
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_STALE_ID
     pub fn hs_world_set_loads(

@@ -181,3 +181,15 @@ constants! {
         Touch = HS_IMPACT_TOUCH,
     }
 }
+
+constants! {
+    /// What a block is in a share.
+    Role {
+        /// this share loads, counts and packs it
+        Own = HS_ROLE_OWN,
+        /// a copy: it moves alike, and its loads come from the share that owns it
+        Neighbor = HS_ROLE_NEIGHBOR,
+        /// fixed and prescribed blocks: in all shares, without loads of their own
+        Everywhere = HS_ROLE_EVERYWHERE,
+    }
+}

@@ -11,7 +11,7 @@ use crate::block::{Block, Material};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::impact::Impact;
-use crate::kinds::{BlockKind, BondFailure, FaultKind, ImpactState, PairKind};
+use crate::kinds::{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind};
 use crate::pose::Pose;
 use crate::world::World;
 
@@ -897,6 +897,69 @@ impl From<sys::hs_balance> for Balance {
     }
 }
 
+/// A share, and how far its copies must reach.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ShareInfo {
+    /// blocks by role, HS_ROLE_OWN; in a whole world all that move freely
+    pub own_count: usize,
+    /// HS_ROLE_NEIGHBOR
+    pub neighbor_count: usize,
+    /// HS_ROLE_EVERYWHERE
+    pub everywhere_count: usize,
+    /// pairs of own blocks and of their neighbours whose other block is not here: the copies do not reach far
+    /// enough. 0 in a sound run
+    pub lost_pairs: u64,
+    /// numbers per block of hs_world_get_loads(), the same in all shares
+    pub load_length: usize,
+    /// 1: all blocks of the world are here and own
+    pub is_whole: bool,
+    /// a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m; of
+    /// all shares the largest counts. Twice as far as a pair of the next list. Call after
+    /// hs_world_plan_motion()
+    pub halo: f64,
+}
+
+impl From<sys::hs_share_info> for ShareInfo {
+    fn from(raw: sys::hs_share_info) -> Self {
+        Self {
+            own_count: raw.own_count as usize,
+            neighbor_count: raw.neighbor_count as usize,
+            everywhere_count: raw.everywhere_count as usize,
+            lost_pairs: raw.lost_pairs as u64,
+            load_length: raw.load_length as usize,
+            is_whole: raw.is_whole != 0,
+            halo: raw.halo,
+        }
+    }
+}
+
+/// What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+/// first two, and the minimum of `refusal`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SharePlan {
+    /// 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and
+    /// renew their lists
+    pub needs_list: bool,
+    /// 1: a pair has met in a way that copies cannot know: all shares are assembled and plan again
+    pub needs_assembly: bool,
+    /// The error with which [`move_blocks`](World::move_blocks) would end: `TooFast`, a block moves by more
+    /// than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
+    /// divided; `Unstable`, the motion is not finite.
+    pub refusal: Option<ErrorKind>,
+}
+
+impl From<sys::hs_share_plan> for SharePlan {
+    fn from(raw: sys::hs_share_plan) -> Self {
+        Self {
+            needs_list: raw.needs_list != 0,
+            needs_assembly: raw.needs_assembly != 0,
+            refusal: (raw.refusal != sys::HS_OK).then(|| ErrorKind::from_value(raw.refusal)),
+        }
+    }
+}
+
 /// Result of the search. Later versions may append to it.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -913,8 +976,8 @@ pub struct StrengthFound {
     pub falls_at_high: bool,
     /// number of relaxations
     pub trials: usize,
-    /// Final state of the last copy that failed; `None` if none did. Its velocities and \[`bond
-    /// events`\](World::bond_events) show the mechanism.
+    /// Final state of the last copy that failed; `None` if none did. Its velocities and [`bond
+    /// events`](World::bond_events) show the mechanism.
     pub fallen: Option<World>,
 }
 
