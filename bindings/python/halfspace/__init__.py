@@ -29,6 +29,7 @@ from .constants import (
     ImpactState,
     PairKind,
     Plane,
+    Role,
     StiffnessKind,
     Unbalanced,
     WorldPart,
@@ -72,6 +73,8 @@ from .records import (
     PAIR_CACHE,
     RAY_HIT,
     SHAPE_PROPERTIES,
+    SHARE_INFO,
+    SHARE_PLAN,
     STRENGTH_REPORT,
     WORLD_REPORT,
 )
@@ -80,6 +83,7 @@ from .recording import Recording
 from .results import RunResult, SafetyResult
 from .scene import Scene
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
+from .share import Packed
 from .sweep import Sweep
 from .world import World
 
@@ -101,6 +105,8 @@ __all__ = [
     "PAIR_CACHE",
     "RAY_HIT",
     "SHAPE_PROPERTIES",
+    "SHARE_INFO",
+    "SHARE_PLAN",
     "STRENGTH_REPORT",
     "WORLD_REPORT",
     "ActionKind",
@@ -127,11 +133,13 @@ __all__ = [
     "Mesh",
     "Motion",
     "OutOfMemoryError",
+    "Packed",
     "PairCache",
     "PairKind",
     "Plane",
     "ProgressBar",
     "Recording",
+    "Role",
     "RunResult",
     "SafetyResult",
     "Scene",

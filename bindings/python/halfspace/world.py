@@ -26,13 +26,14 @@ from .plot_space import plot_solids
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
 from .run import Runs
 from .shape import Shape
+from .share import Shares
 
 _FIRST_PORTION = 16  # steps
 _PICTURE_LIMIT = 20000  # blocks: larger worlds have no automatic picture in notebooks
 _PICTURE_LIMIT_IN_SPACE = 2000
 
 
-class World(ActedOn, CompoundBlocks, Runs):
+class World(ActedOn, CompoundBlocks, Shares, Runs):
     """Blocks, materials, laws and time.
 
     Arrays of blocks have the order of `blocks`. In 2D vectors have 2 components, angular velocities and torques 1; in

@@ -1,0 +1,221 @@
+"""Shares of a world, for hosts that spread one world over processes."""
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+from typing import TYPE_CHECKING, Any, List, Sequence, Tuple, Union, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _raw
+from ._choice import choice
+from ._library import library
+from ._record import Floats, empty_record
+from .block_arrays import BlockArrays
+from .constants import Role
+from .context import held
+from .records import SHARE_INFO, SHARE_PLAN, ShareInfo, SharePlan
+
+if TYPE_CHECKING:
+    from .world import World
+
+
+def _as_keys(values: ArrayLike) -> NDArray[np.int64]:
+    """Contiguous keys for C; an array of int64 is not copied."""
+    given = np.asarray(values)
+    array = np.ascontiguousarray(given, np.int64).ravel()
+    if not np.array_equal(array, given.ravel()):
+        raise ValueError("keys must be 64-bit integers")
+    return array
+
+
+@dataclasses.dataclass(frozen=True)
+class Packed:
+    """A block of a share to be assembled.
+
+    Attributes
+    ----------
+    key : int
+        Name of the block in all shares.
+    role : Role or its name
+        OWN, NEIGHBOR or EVERYWHERE.
+    data : bytes, optional
+        From `World.pack` of the share that owns the block. None: as the world that assembles the share has it, of
+        which the block is its own or everywhere.
+    """
+
+    key: int
+    role: Union[Role, str] = Role.OWN
+    data: Union[bytes, bytearray, memoryview, None] = None
+
+    def _as_struct(self) -> _raw.hs_packed:
+        key, role = _as_keys(self.key).item(), choice(self.role, Role, "role")
+        if self.data is None:
+            return _raw.hs_packed(key, None, 0, role)
+        stored = np.frombuffer(self.data, np.uint8)
+        return _raw.hs_packed(key, stored.ctypes.data, stored.nbytes, role)
+
+
+class Shares(BlockArrays):
+    """A world of which each process holds a share: its own blocks, and copies of their neighbours.
+
+    All processes make the same calls, and the host carries packed blocks and loads between them, e.g. by mpi4py::
+
+        plan ──▶ does any need a list or an assembly? ── yes: pack, carry, assemble, plan; renew the lists
+          └────▶ move ──▶ loads, carry, set_loads ──▶ end_step
+
+    The motion has the same bits as by `step` of the whole world, for any number of shares. Shares hold rigid and
+    affine blocks, laws with springs and potential laws, water and applied forces; the world needs a given time step.
+    """
+
+    @property
+    def keys(self) -> NDArray[np.int64]:
+        """Names of all blocks in all shares, ascending; by default places in `blocks`. Assignment sets those of a
+        whole world. Blocks that are added or removed later end these keys."""
+        with held(self):
+            keys = np.empty(len(self), np.int64)
+            self._call(library.hs_world_get_keys, keys.ctypes.data, len(keys), None)
+        return keys
+
+    @keys.setter
+    def keys(self, keys: ArrayLike) -> None:
+        array = _as_keys(keys)
+        self._call(library.hs_world_set_keys, array.ctypes.data, array.size)
+
+    @property
+    def roles(self) -> NDArray[np.int32]:
+        """Roles of all blocks, values of `Role`. In a whole world fixed and prescribed blocks are everywhere, all
+        others own."""
+        with held(self):
+            roles = np.empty(len(self), np.int32)
+            self._call(library.hs_world_get_roles, roles.ctypes.data, len(roles), None)
+        return roles
+
+    def share_info(self) -> ShareInfo:
+        """Returns numbers of blocks, and how far copies must reach, after `plan_motion`: a record of `SHARE_INFO`."""
+        array, address = empty_record(SHARE_INFO)
+        info = _raw.hs_share_info.from_address(address)
+        self._call(library.hs_world_get_share_info, info, array.nbytes)
+        return cast(ShareInfo, array[0])
+
+    def pack(self, keys: ArrayLike, with_shapes: bool = True) -> List[bytes]:
+        """Packs blocks for other shares: their motion, and the memory of their pairs.
+
+        Parameters
+        ----------
+        keys : array_like
+            Of own blocks, or of blocks that are everywhere, in any order.
+        with_shapes : bool
+            With their outlines, for shares that do not have the block.
+
+        Returns
+        -------
+        list of bytes
+            Per key, in the machine's format of numbers.
+        """
+        array = _as_keys(keys)
+        ends, needed = np.zeros(array.size, np.uintp), ctypes.c_size_t()
+        with held(self):
+            given = (array.ctypes.data, array.size, int(with_shapes))
+            self._call(library.hs_world_pack, *given, None, 0, None, ctypes.byref(needed))
+            room = np.empty(needed.value, np.uint8)
+            written = (room.ctypes.data, room.nbytes, ends.ctypes.data)
+            self._call(library.hs_world_pack, *given, *written, ctypes.byref(needed))
+        return [block.tobytes() for block in np.split(room, ends[:-1].astype(np.intp))[: array.size]]
+
+    def assemble(self, blocks: Sequence[Packed]) -> "World":
+        """Makes a world of blocks, in the same context: a share, or the whole world again where all its blocks are own
+        ones. This world does not change.
+
+        Parameters
+        ----------
+        blocks : sequence of Packed
+            In ascending order of keys: all own blocks of the share, copies of all blocks within its halo, packed in
+            the present motion, and all blocks that are everywhere.
+
+        Returns
+        -------
+        World
+            Its settings, laws, clock, list of pairs and losses are those of this world.
+        """
+        structs = (_raw.hs_packed * len(blocks))(*[block._as_struct() for block in blocks])
+        pointer = ctypes.POINTER(_raw.hs_world)()
+        keeper = self._keeper
+        with held(self):
+            made = (structs, len(blocks), ctypes.byref(pointer))
+            keeper.call(library.hs_world_assemble, keeper.pointer, self._alive, *made)
+            share = cast(Any, type(self))._owned(self.context, pointer, self.dimension)
+            share._given = self._given.copy()
+        return cast("World", share)
+
+    @property
+    def sums(self) -> Floats:
+        """Energies and losses, J and W, as 21 numbers that add up over shares to those of the whole world. Assignment
+        sets them: in a joined world to the sums over all shares, whose losses it continues."""
+        sums = np.empty(_raw.HS_SUM_COUNT)
+        self._call(library.hs_world_get_sums, sums.ctypes.data)
+        return sums
+
+    @sums.setter
+    def sums(self, sums: ArrayLike) -> None:
+        array = np.ascontiguousarray(sums, np.float64)
+        if array.shape != (_raw.HS_SUM_COUNT,):
+            raise ValueError(f"sums has the shape {array.shape}; it must be ({_raw.HS_SUM_COUNT},)")
+        self._call(library.hs_world_set_sums, array.ctypes.data)
+
+    # ---- a step ----
+
+    def begin(self) -> None:
+        """Begins after blocks were added, or laws, velocities or forces changed: computes contacts and forces where
+        blocks are. Then loads are carried, and `end_begin` follows."""
+        self._call(library.hs_world_begin)
+
+    def end_begin(self) -> None:
+        """Computes accelerations and energies of the beginning, from the loads."""
+        self._call(library.hs_world_end_begin)
+
+    def plan_motion(self) -> SharePlan:
+        """Plans the motion of a step, without moving any block, and returns its needs: a record of `SHARE_PLAN`. The
+        host combines those of all shares: the maximum of `needs_list` and of `needs_assembly`, the minimum of
+        `refusal`."""
+        return self._planned(library.hs_world_plan_motion)
+
+    def renew_list(self) -> SharePlan:
+        """Renews the list of pairs for the planned motion, in all shares if the plan of any needs it. Returns the plan
+        with the new list, whose `refusal` counts."""
+        return self._planned(library.hs_world_renew_list)
+
+    def move(self) -> None:
+        """Makes the planned motion, which must be without a refusal, and computes contacts and forces after it."""
+        self._call(library.hs_world_move)
+
+    def loads(self, keys: ArrayLike) -> Floats:
+        """Returns the loads of the contacts on own blocks, for the shares that have copies: a row per key with force,
+        torque, and in worlds with elastic materials the virial."""
+        array = _as_keys(keys)
+        with held(self):
+            loads = np.empty(self._shape_of_loads(array))
+            self._call(library.hs_world_get_loads, array.ctypes.data, array.size, loads.ctypes.data)
+        return loads
+
+    def set_loads(self, keys: ArrayLike, loads: ArrayLike) -> None:
+        """Sets the loads of the contacts on copies, as `loads` of their owner returned them."""
+        array, rows = _as_keys(keys), np.ascontiguousarray(loads, np.float64)
+        with held(self):
+            wanted = self._shape_of_loads(array)
+            if rows.shape != wanted:
+                raise ValueError(f"loads has the shape {rows.shape}; it must be {wanted}")
+            self._call(library.hs_world_set_loads, array.ctypes.data, array.size, rows.ctypes.data)
+
+    def end_step(self) -> None:
+        """Ends the step: computes velocities and energies at the end of the motion, from the loads."""
+        self._call(library.hs_world_end_step)
+
+    def _planned(self, function: Any) -> SharePlan:
+        array, address = empty_record(SHARE_PLAN)
+        self._call(function, _raw.hs_share_plan.from_address(address))
+        return cast(SharePlan, array[0])
+
+    def _shape_of_loads(self, keys: NDArray[np.int64]) -> Tuple[int, int]:
+        return keys.size, self.share_info().load_length
