@@ -12,8 +12,8 @@ module halfspace_worlds
   use halfspace_contacts, only: halfspace_block, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
   use halfspace_meshes, only: halfspace_mesh
-  use halfspace_plane_worlds, only: plane_world
   use halfspace_shapes, only: halfspace_shape
+  use halfspace_spread_worlds, only: spread_world
   implicit none
   private
   public :: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, halfspace_world_report
@@ -21,8 +21,8 @@ module halfspace_worlds
   !> Assignment adds a reference: all copies are the same world, which the last one destroys. save() and restore() make
   !! a copy. Procedures for blocks are declared in halfspace_block_worlds, for bonds and relaxation in
   !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds, for separate arrays of components in the
-  !! plane in halfspace_plane_worlds.
-  type, extends(plane_world) :: halfspace_world
+  !! plane in halfspace_plane_worlds, for shares in halfspace_spread_worlds.
+  type, extends(spread_world) :: halfspace_world
   contains
     procedure :: add_mesh
     procedure :: remove_body
