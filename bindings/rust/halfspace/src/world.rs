@@ -200,7 +200,7 @@ impl World {
         Context::of(&self.owner)
     }
 
-    fn make(
+    pub(crate) fn make(
         context: &Context,
         create: impl FnOnce(*mut *mut sys::hs_world) -> sys::hs_status,
     ) -> Result<Self> {
