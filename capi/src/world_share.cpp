@@ -272,7 +272,7 @@ hs_status hs_world_begin(hs_world* world) {
 hs_status hs_world_end_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_piece(w.share().stage() == ShareStage::begun, "hs_world_begin()");
-    w.end_beginning();
+    if (w.is_changed()) w.end_beginning();
     w.share().enter(ShareStage::ready);
     return HS_OK;
   });
