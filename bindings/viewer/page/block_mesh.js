@@ -35,7 +35,7 @@ class BlockMesh {
     });
     this.mesh = new THREE.Mesh(meshGeometry(blocks), this.material);
     this.mesh.frustumCulled = false;
-    this.visibleFaces = dimension === 3 ? new VisibleFaces(recording, this.mesh.geometry) : null;
+    this.visibleFaces = new VisibleFaces(recording, this.mesh.geometry);
     this.uniforms = this.material.uniforms;
   }
 
@@ -92,8 +92,7 @@ class BlockMesh {
 
   /** Leaves out the faces that look away from the camera, unless a section shows the inside of blocks. */
   prepare(camera) {
-    if (!this.visibleFaces) return;
-    if (this.uniforms.hasSection.value) this.visibleFaces.showAll();
+    if (this.recording.dimension === 2 || this.uniforms.hasSection.value) this.visibleFaces.showAll();
     else this.visibleFaces.show(camera, this.states);
   }
 
@@ -112,31 +111,40 @@ class BlockMesh {
   }
 }
 
-/** The faces of all blocks as triangles: a fan for each face. */
+/** The corners of all faces, in the order of blocks and faces. VisibleFaces makes triangles of them. */
 function meshGeometry(blocks) {
   let corners = 0;
-  for (const {faces} of blocks) for (const face of faces) corners += 3 * (face.length - 2);
-  const positions = new Float32Array(3 * corners), edges = new Uint8Array(3 * corners);
-  const owners = new Float32Array(2 * corners);
+  for (const {faces} of blocks) for (const face of faces) corners += face.length;
+  const positions = new Float32Array(3 * corners), edges = new Uint8Array(4 * corners);
+  const owners = new Float32Array(2 * corners), across = new Float32Array(3 * corners);
   let corner = 0;
   for (const {number, firstNode, vertices, faces} of blocks) {
     for (const face of faces) {
-      for (let i = 1; i + 1 < face.length; ++i) {
-        // A side of the triangle inside the face is no edge: everything is far from it.
-        const isEdge = [true, i + 2 === face.length, i === 1];
-        [face[0], face[i], face[i + 1]].forEach((vertex, k) => {
-          positions.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
-          for (let side = 0; side < 3; ++side) edges[3 * corner + side] = side === k || !isEdge[side] ? 255 : 0;
-          owners[2 * corner] = number;
-          owners[2 * corner + 1] = firstNode < 0 ? -1 : firstNode + vertex;
-          ++corner;
-        });
-      }
+      const normal = firstNode < 0 ? normalOf(face, vertices).toArray() : null;
+      face.forEach((vertex, place) => {
+        positions.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
+        edges.set(distancesFromEdges(place, face.length), 4 * corner);
+        owners[2 * corner] = number;
+        owners[2 * corner + 1] = firstNode < 0 ? -1 : firstNode + vertex;
+        across.set(normal || [1, face.length - 1].map((step) => firstNode + face[(place + step) % face.length]), 3 * corner);
+        ++corner;
+      });
     }
   }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-  geometry.setAttribute("edges", new THREE.BufferAttribute(edges, 3, true));
+  geometry.setAttribute("edges", new THREE.BufferAttribute(edges, 4, true));
   geometry.setAttribute("owner", new THREE.BufferAttribute(owners, 2));
+  geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
   return geometry;
+}
+
+/** The distances of a corner from the edges of its face, in four classes: 0 on an edge of the class, else 255. The first
+    edge and the last have a class each, those between them two in turns. So no class is 0 along a whole diagonal from
+    the first corner, which is a side of two triangles and no edge. */
+function distancesFromEdges(place, size) {
+  const classOf = (edge) => edge === 0 ? 0 : edge === size - 1 ? 1 : 2 + edge % 2;
+  const distances = [255, 255, 255, 255];
+  for (const edge of [place, (place + size - 1) % size]) distances[classOf(edge)] = 0;
+  return distances;
 }

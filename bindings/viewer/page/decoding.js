@@ -35,28 +35,40 @@ class ByteReader {
   }
 
   take(size) {
+    return this.view(size).slice().buffer;
+  }
+
+  /** The next bytes, which are not copied. */
+  view(size) {
     this.place += size;
-    return this.bytes.slice(this.place - size, this.place).buffer;
+    return this.bytes.subarray(this.place - size, this.place);
   }
 }
 
-/** The whole numbers of a column, frame after frame, from their differences. */
-function readCodes(reader, itemCount, frameCount) {
-  const order = reader.byte(), planes = reader.byte(), total = itemCount * frameCount;
-  const codes = new Int32Array(total), {bytes} = reader;
-  for (let plane = 0; plane < planes; ++plane) {
-    const begin = reader.place + plane * total, shift = 8 * plane;
-    for (let i = 0; i < total; ++i) codes[i] |= bytes[begin + i] << shift;
+/** A column as it is stored: differences of whole numbers, of all frames, in planes of bytes. */
+class PackedColumn {
+  constructor(reader, itemCount, frameCount, step) {
+    Object.assign(this, {itemCount, step, total: itemCount * frameCount, order: reader.byte(), planeCount: reader.byte()});
+    this.bytes = reader.view(this.planeCount * this.total);
   }
-  reader.place += planes * total;
-  for (let i = 0; i < total; ++i) codes[i] = (codes[i] >>> 1) ^ -(codes[i] & 1);
-  for (let sum = 0; sum < order; ++sum)
-    for (let i = itemCount; i < total; ++i) codes[i] += codes[i - itemCount];
-  return codes;
-}
 
-/** The values that codes stand for: multiples of a step, or the upper halves of floats. */
-function valuesOf(codes, step) {
-  if (step > 0) return Float32Array.from(codes, (code) => code * step);
-  return new Float32Array(Int32Array.from(codes, (code) => code << 16).buffer);
+  /** The values, frame after frame: multiples of a step, or the upper halves of floats. */
+  unpacked() {
+    const codes = this.codes(), {step, total} = this, values = new Float32Array(step > 0 ? total : codes.buffer);
+    for (let i = 0; i < total; ++i) {
+      if (step > 0) values[i] = codes[i] * step;
+      else codes[i] <<= 16;
+    }
+    return values;
+  }
+
+  codes() {
+    const {itemCount, total, order, planeCount, bytes} = this, codes = new Int32Array(total);
+    for (let plane = 0; plane < planeCount; ++plane)
+      for (let i = 0, at = plane * total, shift = 8 * plane; i < total; ++i, ++at) codes[i] |= bytes[at] << shift;
+    for (let i = 0; i < total; ++i) codes[i] = (codes[i] >>> 1) ^ -(codes[i] & 1);
+    for (let sum = 0; sum < order; ++sum)
+      for (let i = itemCount; i < total; ++i) codes[i] += codes[i - itemCount];
+    return codes;
+  }
 }

@@ -16,13 +16,18 @@ function fieldsOf(recording, start) {
     const values = Float32Array.from(blocks, value);
     return () => values;
   };
-  const moved = (frame, block, axis) => frame.column("blocks", axes[axis])[block] - origin[axis][block];
+  const displacement = (frame, axis) => {
+    const start = origin[axis];
+    return frame.column("blocks", axes[axis]).map((coordinate, block) => coordinate - start[block]);
+  };
   const fields = [
-    new Field("displacement", "m", (frame) => Float32Array.from(blocks, ({number}) =>
-      Math.hypot(...axes.map((_, axis) => moved(frame, number, axis)))), null),
+    new Field("displacement", "m", (frame) => {
+      const [x, y, z] = axes.map((_, axis) => displacement(frame, axis));
+      return x.map((_, block) => Math.sqrt(x[block] ** 2 + y[block] ** 2 + (z ? z[block] ** 2 : 0)));
+    }, null),
   ];
   axes.forEach((axis, index) => fields.push(new Field(`displacement ${axis}`, "m",
-    (frame) => Float32Array.from(blocks, ({number}) => moved(frame, number, index)), null, {map: "diverging"})));
+    (frame) => displacement(frame, index), null, {map: "diverging"})));
   for (const column of recording.description("blocks")) {
     if (["present", "x", "y", "z", "angle", "qx", "qy", "qz", "qw"].includes(column.name)) continue;
     const isSigned = column.low < 0;

@@ -1,14 +1,14 @@
 "use strict";
 
-// The overlay of the picture: the colours' legend, the time, a scale in 2D or the axes in 3D. It is drawn into a
-// canvas, which a saved picture contains, too.
+// The parts of the overlay: the colours' legend, the time, a scale in 2D or the axes in 3D. Places count from the upper
+// left corner of the picture.
 
-function drawOverlay(context, width, height, {field, range, isLog, table, title, time, camera, theme}) {
-  context.clearRect(0, 0, width, height);
-  context.textBaseline = "middle";
-  drawTime(context, width, title, time, theme);
+function drawLegend(context, {height, field, range, isLog, table, theme}) {
   if (field.categories) drawCategories(context, height, field, theme);
   else drawScale(context, height, field, range, isLog, table, theme);
+}
+
+function drawOrientation(context, {width, height, camera, theme}) {
   if (camera.dimension === 2) drawRuler(context, width, height, camera, theme);
   else drawAxes(context, width, height, camera, theme);
 }
@@ -23,7 +23,7 @@ function drawCard(context, left, top, width, height, theme) {
 
 const overlayFont = (size, weight = 400) => `${weight} ${size}px system-ui, "Segoe UI", "DejaVu Sans", sans-serif`;
 
-function drawTime(context, width, title, time, theme) {
+function drawTime(context, {title, time, theme}) {
   context.textAlign = "left";
   context.fillStyle = theme.text;
   context.font = overlayFont(15, 600);

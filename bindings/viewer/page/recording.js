@@ -1,18 +1,19 @@
 "use strict";
 
-/** A table of a group of frames: for each column the values of all items. */
+/** A table of a group of frames: for each column the values of all items, unpacked when they are first read. */
 class GroupTable {
   constructor(description, reader, frameCount) {
     this.itemCount = reader.whole();
     this.columns = new Map();
     const columnCount = reader.byte();
     for (const {name, step} of description.columns.slice(0, columnCount))
-      this.columns.set(name, valuesOf(readCodes(reader, this.itemCount, frameCount), step));
+      this.columns.set(name, new PackedColumn(reader, this.itemCount, frameCount, step));
   }
 
   /** A column in a frame of the group. */
   column(name, frame) {
-    const values = this.columns.get(name);
+    let values = this.columns.get(name);
+    if (values instanceof PackedColumn) this.columns.set(name, values = values.unpacked());
     return values && values.subarray(frame * this.itemCount, (frame + 1) * this.itemCount);
   }
 }

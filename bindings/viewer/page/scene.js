@@ -1,12 +1,23 @@
 "use strict";
 
+/** Whether the browser draws by the processor, to which each sample of a pixel costs time. */
+function drawsBySoftware() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render/i.test(name);
+}
+
 /** The picture: blocks and layers in WebGL, and the overlay above them. */
 class Picture {
   constructor(recording, canvas, overlay, onChange) {
-    const context = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
+    this.isBySoftware = drawsBySoftware();
+    const options = {antialias: !this.isBySoftware, alpha: false}, context = canvas.getContext("webgl2", options);
     if (!context) throw new Error("This browser has no WebGL 2, which the viewer needs.");
-    Object.assign(this, {recording, canvas, overlay});
-    this.renderer = new THREE.WebGLRenderer({canvas, context, antialias: true, preserveDrawingBuffer: true});
+    Object.assign(this, {recording, canvas});
+    this.overlay = new Overlay(overlay);
+    this.renderer = new THREE.WebGLRenderer({canvas, context, ...options});
     this.blockMesh = new BlockMesh(recording);
     this.layers = new Layers(recording, this.blockMesh);
     this.scene = new THREE.Scene();
@@ -26,24 +37,21 @@ class Picture {
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
     const ratio = window.devicePixelRatio || 1;
-    this.renderer.setPixelRatio(ratio);
+    this.renderer.setPixelRatio(this.isBySoftware ? 1 : ratio);
     this.renderer.setSize(width, height, false);
-    this.overlay.width = width * ratio;
-    this.overlay.height = height * ratio;
+    this.overlay.resize(width, height, ratio);
     this.layers.setViewport(width, height);
     this.control.resize(width, height);
   }
 
   draw(legend) {
-    const {renderer, overlay, control} = this, ratio = window.devicePixelRatio || 1;
+    const {renderer, overlay, control} = this;
     const style = getComputedStyle(document.documentElement);
     const [text, quiet, card] = ["--text", "--quiet", "--card"].map((name) => style.getPropertyValue(name));
     renderer.setClearColor(new THREE.Color(style.getPropertyValue("--back").trim()), 1);
     this.blockMesh.prepare(control.camera);
     renderer.render(this.scene, control.camera);
-    const context = overlay.getContext("2d");
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    drawOverlay(context, control.width, control.height, {...legend, table: this.table, camera: control,
+    overlay.show({...legend, width: control.width, height: control.height, table: this.table, camera: control,
       theme: {text, quiet, card}});
   }
 
@@ -56,14 +64,16 @@ class Picture {
     return this.picker.blockAt(x, y);
   }
 
-  /** The picture with its legend, as a PNG. */
+  /** The picture with its legend, as a PNG. It has just been drawn: browsers forget what they have shown. */
   png() {
-    const {canvas, overlay} = this, whole = document.createElement("canvas");
+    const {canvas, control} = this, whole = document.createElement("canvas");
     whole.width = canvas.width;
     whole.height = canvas.height;
     const context = whole.getContext("2d");
     context.drawImage(canvas, 0, 0);
-    context.drawImage(overlay, 0, 0);
+    const ratio = canvas.width / control.width;
+    context.scale(ratio, ratio);
+    this.overlay.copyTo(context);
     return new Promise((resolve) => whole.toBlob(resolve, "image/png"));
   }
 }

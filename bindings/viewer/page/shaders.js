@@ -1,6 +1,7 @@
 "use strict";
 
-// Blocks are drawn at once. Each vertex looks up the pose of its block, or its own place as a node, in a texture.
+// Blocks are drawn at once. Each vertex looks up the pose of its block, or its own place as a node, in a texture, and
+// has the colour and the light of its whole face: by software, a fragment costs as much as a vertex, and there are more.
 
 const blockVertexShader = `
 precision highp float;
@@ -8,78 +9,98 @@ precision highp int;
 uniform highp sampler2D states;  // rows of texels: poses (place and colour value, rotation), then nodes
 uniform int statesWidth;
 uniform float firstNode;         // texel
-in vec3 edges;                   // distance from each edge of the triangle, that of the opposite corner being 1
-in vec2 owner;                   // block, and node or -1
-out vec3 edge;
-out vec3 place;
-out float value;
-flat out vec2 identity;          // block, and 1 if it is selected
+uniform sampler2D colours;
+uniform vec2 range;              // of the coloured values
+uniform vec3 missingColour;
+uniform bool isFlat;             // 2D: no light
+uniform bool isPicking;
 uniform float selected;
+in vec4 edges;                   // distance from the edges of four classes, 0 or 1
+in vec2 owner;                   // block, and node or -1
+in vec3 across;                  // normal of the face; at a node, the next and the previous node of the face
+out vec4 edge;
+out vec3 place;
+flat out vec4 tone;              // colour and light
 
 vec4 texel(float index) {
   int i = int(index);
   return texelFetch(states, ivec2(i % statesWidth, i / statesWidth), 0);
 }
 
+vec3 rotated(vec4 q, vec3 v) {
+  return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
+}
+
+vec3 numberAsColour(float number) {
+  return vec3(mod(number, 256.0), mod(floor(number / 256.0), 256.0), floor(number / 65536.0)) / 255.0;
+}
+
+vec3 colourOf(float value) {
+  if (value > 1e30) return missingColour;
+  float part = clamp((value - range.x) / max(range.y - range.x, 1e-30), 0.0, 1.0);
+  return texelFetch(colours, ivec2(int(part * 255.0 + 0.5), 0), 0).rgb;
+}
+
+/** From a lamp above the shoulder of the camera. */
+float lightOn(vec3 normal) {
+  vec3 right = vec3(viewMatrix[0][0], viewMatrix[1][0], viewMatrix[2][0]);
+  vec3 up = vec3(viewMatrix[0][1], viewMatrix[1][1], viewMatrix[2][1]);
+  vec3 towards = vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
+  return 0.62 + 0.3 * dot(normal, normalize(towards + 0.8 * up - 0.5 * right)) + 0.16 * normal.z;
+}
+
 void main() {
   vec4 at = texel(2.0 * owner.x);
   vec4 q = texel(2.0 * owner.x + 1.0);
-  vec3 local = position;
-  vec3 world = at.xyz + local + 2.0 * cross(q.xyz, cross(q.xyz, local) + q.w * local);
-  if (owner.y >= 0.0) world = texel(firstNode + owner.y).xyz;
+  bool isNode = owner.y >= 0.0;
+  place = isNode ? texel(firstNode + owner.y).xyz : at.xyz + rotated(q, position);
   edge = edges;
-  place = world;
-  value = at.w;
-  identity = vec2(owner.x, owner.x == selected ? 1.0 : 0.0);
-  gl_Position = at.w < -1e30 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * viewMatrix * vec4(world, 1.0);
+  if (isPicking) {
+    tone = vec4(numberAsColour(owner.x + 1.0), 1.0);
+  } else {
+    vec3 colour = colourOf(at.w);
+    if (owner.x == selected) colour = mix(colour, vec3(1.0, 0.45, 0.1), 0.6);
+    float light = 1.0;
+    if (!isFlat) {
+      vec3 normal = rotated(q, across);
+      if (isNode) normal = cross(texel(firstNode + across.x).xyz - place, texel(firstNode + across.y).xyz - place);
+      light = lightOn(normalize(normal));
+    }
+    tone = vec4(colour, light);
+  }
+  gl_Position = at.w < -1e30 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * viewMatrix * vec4(place, 1.0);
 }
 `;
 
 const blockFragmentShader = `
 precision highp float;
-uniform sampler2D colours;
-uniform vec2 range;        // of the coloured values
-uniform bool isFlat;       // 2D: no light
+uniform bool isFlat;
 uniform float opacity;
 uniform vec3 edgeColour;
 uniform float edgeOpacity;
 uniform vec4 section;      // plane: normal, and offset along it
 uniform bool hasSection;
 uniform bool isPicking;
-uniform vec3 missingColour;
-in vec3 edge;
+in vec4 edge;
 in vec3 place;
-in float value;
-flat in vec2 identity;
+flat in vec4 tone;
 
 void main() {
   if (hasSection && dot(section.xyz, place) > section.w) discard;
   if (isPicking) {
-    float id = identity.x + 1.0;
-    gl_FragColor = vec4(mod(id, 256.0), mod(floor(id / 256.0), 256.0), floor(id / 65536.0), 255.0) / 255.0;
+    gl_FragColor = tone;
     return;
   }
-  float part = clamp((value - range.x) / max(range.y - range.x, 1e-30), 0.0, 1.0);
-  vec3 colour = value > 1e30 ? missingColour : texture2D(colours, vec2(part * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
-  float light = 1.0;
-  if (!isFlat) {
-    // A section shows the inside of a cut block in one even tone, which looks like its cut face.
-    vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
-    vec3 towards = vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
-    vec3 right = vec3(viewMatrix[0][0], viewMatrix[1][0], viewMatrix[2][0]);
-    vec3 up = vec3(viewMatrix[0][1], viewMatrix[1][1], viewMatrix[2][1]);
-    vec3 lamp = normalize(towards + 0.8 * up - 0.5 * right);
-    light = gl_FrontFacing ? 0.62 + 0.3 * dot(normal, lamp) + 0.16 * normal.z : 0.75;
-  }
-  colour *= light;
-  if (identity.y > 0.5) colour = mix(colour, vec3(1.0, 0.45, 0.1), 0.6);
-  vec3 width = fwidth(edge);
-  vec3 distance = edge / max(width, vec3(1e-6));
-  float nearest = min(min(distance.x, distance.y), distance.z);
+  // A section shows the inside of a cut block in one even tone, which looks like its cut face.
+  bool isOutside = isFlat || gl_FrontFacing;
+  vec3 colour = tone.rgb * (isOutside ? tone.a : 0.75);
+  vec4 width = fwidth(edge);
+  vec4 distance = edge / max(width, vec4(1e-6));
+  float nearest = min(min(distance.x, distance.y), min(distance.z, distance.w));
   float line = 1.0 - smoothstep(0.4, 1.3, nearest);
   // Blocks of a few pixels would be all edge.
-  float size = 1.0 / max(max(width.x, width.y), width.z);
-  line *= smoothstep(2.0, 10.0, size) * (gl_FrontFacing || isFlat ? 1.0 : 0.0);
+  float size = 1.0 / max(max(width.x, width.y), max(width.z, width.w));
+  line *= smoothstep(2.0, 10.0, size) * (isOutside ? 1.0 : 0.0);
   colour = mix(colour, edgeColour, line * edgeOpacity);
   gl_FragColor = vec4(colour, opacity);
 }

@@ -1,6 +1,7 @@
 "use strict";
 
-/** The faces of convex blocks that look towards the camera. The others are not drawn: half of the work, by software. */
+/** The faces of convex blocks that look towards the camera, as triangles: a fan for each face. The others are not drawn:
+    half of the work, by software. */
 class VisibleFaces {
   constructor(recording, geometry) {
     this.recording = recording;
@@ -8,30 +9,35 @@ class VisibleFaces {
     const faces = recording.blocks.flatMap((block) => block.faces.map((face) => ({block, face})));
     this.normals = new Float32Array(3 * faces.length);
     this.offsets = new Float32Array(faces.length);
-    this.sizes = Uint32Array.from(faces, ({face}) => 3 * (face.length - 2));  // corners
+    this.sizes = Uint32Array.from(faces, ({face}) => face.length);
     faces.forEach(({block, face}, index) => {
-      const at = (i) => new THREE.Vector3(...block.vertices.subarray(3 * face[i], 3 * face[i] + 3));
-      const normal = new THREE.Vector3(), origin = at(0);
-      for (let i = 1; i + 1 < face.length; ++i) normal.add(at(i).sub(origin).cross(at(i + 1).sub(origin)));
+      const normal = normalOf(face, block.vertices);
       normal.toArray(this.normals, 3 * index);
-      this.offsets[index] = normal.dot(origin);
+      this.offsets[index] = normal.dot(vertexOf(block.vertices, face[0]));
     });
-    this.index = new THREE.BufferAttribute(new Uint32Array(geometry.attributes.position.count), 1);
+    const triangles = this.sizes.reduce((sum, size) => sum + size - 2, 0);
+    this.index = new THREE.BufferAttribute(new Uint32Array(3 * triangles), 1);
     this.index.usage = THREE.DynamicDrawUsage;
     geometry.setIndex(this.index);
-    this.showAll();
   }
 
   showAll() {
-    const {array} = this.index;
-    for (let corner = 0; corner < array.length; ++corner) array[corner] = corner;
-    this.use(array.length);
+    if (this.showsAll) return;
+    this.begin();
+    let corner = 0;
+    for (const size of this.sizes) {
+      this.add(corner, size);
+      corner += size;
+    }
+    this.use();
+    this.showsAll = true;
   }
 
   /** Takes the faces in front of which the camera is, of blocks with these states. */
   show(camera, states) {
-    const {normals, offsets, sizes, index: {array}} = this, {x: cx, y: cy, z: cz} = camera.position;
-    let face = 0, corner = 0, count = 0;
+    const {normals, offsets, sizes} = this, {x: cx, y: cy, z: cz} = camera.position;
+    this.begin();
+    let face = 0, corner = 0;
     for (const {number, firstNode, faces} of this.recording.blocks) {
       const i = 8 * number, isHidden = states[i + 3] < -1e30;
       // The camera as the block sees it: rotated back by the conjugate quaternion.
@@ -41,18 +47,43 @@ class VisibleFaces {
       const lx = x + qw * ux + qy * uz - qz * uy, ly = y + qw * uy + qz * ux - qx * uz;
       const lz = z + qw * uz + qx * uy - qy * ux;
       for (let f = 0; f < faces.length; ++f, ++face) {
-        const end = corner + sizes[face], n = 3 * face;
+        const n = 3 * face;
         const isAhead = firstNode >= 0 || normals[n] * lx + normals[n + 1] * ly + normals[n + 2] * lz > offsets[face];
-        if (isAhead && !isHidden) while (corner < end) array[count++] = corner++;
-        corner = end;
+        if (isAhead && !isHidden) this.add(corner, sizes[face]);
+        corner += sizes[face];
       }
     }
-    this.use(count);
+    this.use();
   }
 
-  use(count) {
-    this.index.updateRange = {offset: 0, count};
-    this.index.needsUpdate = true;
-    this.geometry.setDrawRange(0, count);
+  begin() {
+    this.count = 0;
+    this.showsAll = false;
   }
+
+  /** Adds the triangles of a face, given by its first corner. */
+  add(first, size) {
+    const {array} = this.index;
+    for (let i = 1; i + 1 < size; ++i) {
+      array[this.count++] = first;
+      array[this.count++] = first + i;
+      array[this.count++] = first + i + 1;
+    }
+  }
+
+  use() {
+    this.index.updateRange = {offset: 0, count: this.count};
+    this.index.needsUpdate = true;
+    this.geometry.setDrawRange(0, this.count);
+  }
+}
+
+const vertexOf = (vertices, index) => new THREE.Vector3(...vertices.subarray(3 * index, 3 * index + 3));
+
+/** The outward normal of a face, as long as twice its area. */
+function normalOf(face, vertices) {
+  const [origin, ...others] = Array.from(face, (index) => vertexOf(vertices, index));
+  const normal = new THREE.Vector3(), along = others.map((vertex) => vertex.sub(origin));
+  for (let i = 1; i < along.length; ++i) normal.add(new THREE.Vector3().crossVectors(along[i - 1], along[i]));
+  return normal;
 }
