@@ -57,6 +57,11 @@ ColorBy(shown, ("POINTS", "force", "Magnitude"))
 shown.LineWidth = 2
 )";
 
+constexpr const char* forces_inside_solids_in_script = R"(
+# The forces are seen through the blocks.
+GetDisplayProperties(blocks, view).Opacity = 0.4
+)";
+
 constexpr const char* bolts_in_script = R"(
 shown = Show(series("bolts.pvd"), view)
 ColorBy(shown, ("CELLS", "tension"))
@@ -65,10 +70,18 @@ shown.LineWidth = 4
 
 constexpr const char* water_in_script = R"(
 shown = Show(series("water.pvd"), view)
-ColorBy(shown, None)
+shown.ColorArrayName = ["POINTS", ""]
 shown.DiffuseColor = shown.AmbientColor = [0.2, 0.5, 0.95]
 shown.Opacity = 0.5
 shown.LineWidth = 2
+)";
+
+constexpr const char* view_in_space = R"(
+# From the front and above, with z up.
+view.CameraViewUp = [0, 0, 1]
+view.CameraFocalPoint = [0, 0, 0]
+view.CameraPosition = [-0.5, -0.8, 0.35]
+view.ResetCamera()
 )";
 
 }  // namespace
@@ -76,11 +89,12 @@ shown.LineWidth = 2
 std::string paraview_script(const Scene& scene) {
   std::string script = begin_of_script;
   if (scene.output.contacts) script += contacts_in_script;
+  if (scene.output.contacts && scene.world.dimension == 3) script += forces_inside_solids_in_script;
   if (!scene.bolts.empty()) script += bolts_in_script;
   if (has_water(scene)) script += water_in_script;
   script += "\ntitle = Text(Text=" + python(scene.title) + ")\nShow(title, view)\n";
-  script += scene.world.dimension == 2 ? "view.InteractionMode = \"2D\"\nview.ResetCamera()\n"
-                                       : "view.ApplyIsometricView()\nview.ResetCamera()\n";
+  script +=
+      scene.world.dimension == 2 ? "view.InteractionMode = \"2D\"\nview.ResetCamera()\n" : view_in_space;
   return script + "Render()\n";
 }
 
