@@ -27,13 +27,13 @@ class Bars {
     this.count = 0;
   }
 
-  /** Adds a bar between two points, given by their coordinates. */
-  add(begin, end, width, colour) {
+  /** Adds a bar between two points, given by their coordinates. Its width is in pixels, besides a part in metres. */
+  add(begin, end, width, colour, metres = 0) {
     if (this.count === this.capacity) this.reserve(Math.max(256, 2 * this.capacity));
     const i = this.count++;
     this.begins.set(begin, 3 * i);
     this.ends.set(end, 3 * i);
-    this.widths[i] = width;
+    this.widths.set([width, metres], 2 * i);
     this.tints.set(colour, 4 * i);
   }
 
@@ -46,13 +46,13 @@ class Bars {
     this.capacity = capacity;
     this.begins = grown(this.begins, 3);
     this.ends = grown(this.ends, 3);
-    this.widths = grown(this.widths, 1);
+    this.widths = grown(this.widths, 2);
     this.tints = grown(this.tints, 4);
     this.mesh.geometry.dispose();
     const geometry = new THREE.InstancedBufferGeometry();
     geometry.setIndex([0, 1, 2, 2, 1, 3]);
     geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
-    this.attributes = [["begin", this.begins, 3], ["end", this.ends, 3], ["width", this.widths, 1], ["tint", this.tints, 4]]
+    this.attributes = [["begin", this.begins, 3], ["end", this.ends, 3], ["widths", this.widths, 2], ["tint", this.tints, 4]]
       .map(([name, values, size]) => {
         const attribute = new THREE.InstancedBufferAttribute(values, size);
         geometry.setAttribute(name, attribute);

@@ -99,15 +99,23 @@ class Layers {
     }
   }
 
-  /** Cracks that are there, where the block that carries them is now. */
+  /** Cracks that are there: as wide as they have opened between their two blocks or, if these have parted, on each. */
   addCracks(frame) {
-    for (const crack of this.cracks) {
-      if (crack.time > frame.time || !crack.local) continue;
-      const {place, rotation, isPresent} = this.blockMesh.pose(crack.block);
-      if (!isPresent) continue;
-      const [begin, end] = crack.local.map((local) => local.clone().applyQuaternion(rotation).add(place).toArray());
-      const colour = crack.is_shear ? layerColours.shearCrack : layerColours.tensileCrack;
-      this.bars.cracks.add(begin, end, 1.5, [...colour, 1]);
+    for (const {time, blocks, local, normal, is_shear: isShear} of this.cracks) {
+      const poses = blocks.map((block) => this.blockMesh.pose(block));
+      if (time > frame.time || !local || !poses.every(({isPresent}) => isPresent)) continue;
+      const [a, b] = poses.map(({place, rotation}, side) =>
+        local[side].map((end) => end.clone().applyQuaternion(rotation).add(place)));
+      const colour = [...(isShear ? layerColours.shearCrack : layerColours.tensileCrack), 1];
+      const gaps = [0, 1].map((end) => a[end].distanceTo(b[end]));
+      if (Math.max(...gaps) > 0.1 * Math.min(...blocks.map((block) => this.thicknesses[block]))) {
+        for (const [begin, end] of [a, b]) this.bars.cracks.add(begin.toArray(), end.toArray(), 1.5, colour);
+        continue;
+      }
+      const [begin, end] = [0, 1].map((end) => a[end].clone().lerp(b[end], 0.5).toArray());
+      const across = normal.clone().applyQuaternion(poses[0].rotation);
+      const opening = [0, 1].reduce((sum, end) => sum + 0.5 * across.dot(b[end].clone().sub(a[end])), 0);
+      this.bars.cracks.add(begin, end, 1.5, colour, Math.max(opening, 0));
     }
   }
 
@@ -119,14 +127,27 @@ class Layers {
       const number = recording.frameAt(crack.time);
       if (number !== this.placedAt) blockMesh.show(await recording.frame(number), nothing);
       this.placedAt = number;
-      const {place, rotation} = blockMesh.pose(crack.block);
-      const middle = new THREE.Vector3(...crack.position).sub(place);
-      const normal = new THREE.Vector3(...crack.normal);
+      const middle = new THREE.Vector3(...crack.position), normal = new THREE.Vector3(...crack.normal);
       const along = recording.dimension === 2 ? new THREE.Vector3(-normal.y, normal.x, 0) : anyAcross(normal);
       const half = 0.5 * (recording.dimension === 2 ? crack.area : Math.sqrt(crack.area));
-      const back = rotation.clone().conjugate();
-      crack.local = [-half, half].map((offset) => middle.clone().addScaledVector(along, offset).applyQuaternion(back));
+      if (recording.dimension === 2) this.moveIntoJoint(crack.blocks, middle, along, half);
+      const ends = [-half, half].map((offset) => middle.clone().addScaledVector(along, offset));
+      const poses = crack.blocks.map((block) => blockMesh.pose(block));
+      crack.local = poses.map(({place, rotation}) =>
+        ends.map((end) => end.clone().sub(place).applyQuaternion(rotation.clone().conjugate())));
+      crack.normal = normal.applyQuaternion(poses[0].rotation.clone().conjugate());
     }
+  }
+
+  /** Moves the middle of a crack so that its ends do not project from the joint: the point of a corner has the part of
+      the joint beside it. */
+  moveIntoJoint(blocks, middle, along, half) {
+    const intervals = blocks.map((block) => {
+      const places = this.blockMesh.verticesOf(this.recording.blocks[block]).map((vertex) => vertex.sub(middle).dot(along));
+      return [Math.min(...places), Math.max(...places)];
+    });
+    const low = Math.max(...intervals.map(([first]) => first)), high = Math.min(...intervals.map(([, last]) => last));
+    middle.addScaledVector(along, Math.max(low + half, 0) + Math.min(high - half, 0));
   }
 
   showWater(frame) {

@@ -106,13 +106,13 @@ void main() {
 }
 `;
 
-// Bars of a constant width in pixels or in metres, which face the camera.
+// Bars of a width in pixels and in metres, which face the camera.
 
 const barVertexShader = `
 precision highp float;
 in vec3 begin;
 in vec3 end;
-in float width;   // pixels
+in vec2 widths;   // pixels, and metres besides
 in vec4 tint;
 uniform vec2 viewport;
 uniform float lift;  // towards the camera, in the depth of the clip space
@@ -126,8 +126,9 @@ void main() {
   vec2 along = (b.xy / b.w - a.xy / a.w) * viewport;
   float size = length(along);
   along = size > 0.0 ? along / size : vec2(1.0, 0.0);
-  vec2 side = vec2(-along.y, along.x) * (width + 1.0) / viewport;
   vec4 at = position.x < 0.5 ? a : b;
+  float width = widths.x + widths.y * projectionMatrix[1][1] * 0.5 * viewport.y / at.w;
+  vec2 side = vec2(-along.y, along.x) * (width + 1.0) / viewport;
   at.xy += (side * position.y + along * (position.x - 0.5) / viewport) * at.w;
   at.z -= lift * at.w;
   colour = tint;

@@ -54,8 +54,9 @@ std::string Recording::header() const {
             return "{\"frame\":" + std::to_string(water.frame) +
                    ",\"corners\":" + array(water.corners, coordinates) + '}';
           });
-  text += ",\"cracks\":" + array(cracks_, [](const Crack& crack) {
-            return "{\"time\":" + json(crack.time) + ",\"block\":" + std::to_string(crack.block) +
+  const auto number = [](std::size_t value) { return std::to_string(value); };
+  text += ",\"cracks\":" + array(cracks_, [&](const Crack& crack) {
+            return "{\"time\":" + json(crack.time) + ",\"blocks\":" + array(crack.blocks, number) +
                    ",\"position\":" + coordinates(crack.position) +
                    ",\"normal\":" + coordinates(crack.normal) + ",\"area\":" + json(crack.area) +
                    ",\"is_shear\":" + (crack.is_shear ? "true" : "false") + '}';

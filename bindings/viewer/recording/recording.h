@@ -51,10 +51,10 @@ struct BoltForce {
 /// The failure of a bond.
 struct Crack {
   double time = 0;
-  std::size_t block = 0;  ///< which carries it
-  Point position{};       ///< at that time
-  Point normal{};
-  double area = 0;  ///< in 2D a length
+  std::array<std::size_t, 2> blocks{};
+  Point position{};  ///< at that time
+  Point normal{};    ///< from the first block to the second one
+  double area = 0;   ///< in 2D a length
   bool is_shear = false;
 };
 

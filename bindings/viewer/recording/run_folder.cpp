@@ -204,11 +204,12 @@ class Reader {
     if (!fs::exists(folder_ / "cracks.csv")) return;
     const Csv table(bytes_of((folder_ / "cracks.csv").string()));
     for (std::size_t row = 0; row < table.row_count(); ++row) {
-      const auto block = number_of_name_.find(table.text(row, "block_a"));
-      if (block == number_of_name_.end()) continue;
+      const auto block_a = number_of_name_.find(table.text(row, "block_a"));
+      const auto block_b = number_of_name_.find(table.text(row, "block_b"));
+      if (block_a == number_of_name_.end() || block_b == number_of_name_.end()) continue;
       recording.add_crack(
           {.time = table.number(row, "time"),
-           .block = block->second,
+           .blocks = {block_a->second, block_b->second},
            .position = {table.number(row, "x"), table.number(row, "y"), table.number(row, "z")},
            .normal = {table.number(row, "normal_x"), table.number(row, "normal_y"),
                       table.number(row, "normal_z")},

@@ -49,7 +49,7 @@ class ViewerTest(unittest.TestCase):
 
     def setUp(self):
         self.browser.run("viewer.player.pause(); viewer.setOpacity(1); viewer.setSection(-1); viewer.select(-1);"
-                         "viewer.setLayer('forces', false); await viewer.player.goTo(0)")
+                         "if (viewer.layers.available().includes('forces')) viewer.setLayer('forces', false); await viewer.player.goTo(0)")
 
     def tearDown(self):
         self.assertEqual(self.browser.problems(), [])
@@ -193,6 +193,35 @@ class Plane(ViewerTest):
         size = self.browser.run("viewer.draw(); const blob = await viewer.picture.png(); return [blob.type, blob.size]")
         self.assertEqual(size[0], "image/png")
         self.assertGreater(size[1], 5000)
+
+
+class Cracks(ViewerTest):
+    scene = "cracks.toml"
+
+    def cracks(self):
+        """The ends of the bars: begin and end, x and y."""
+        ends = self.browser.run("const {begins, ends, count} = viewer.layers.bars.cracks;"
+                                "return [begins, ends].map((points) => count > 0 ? [...points.slice(0, 3 * count)] : [])")
+        return np.array(ends).reshape(2, -1, 3)[:, :, :2]
+
+    def test_broken_joint(self):
+        """The cracks fill the joint as it breaks, and stay on both sides of it when the brick has fallen."""
+        self.assertEqual(self.cracks().size, 0)
+        self.go_to(8)
+        begins, ends = self.cracks()
+        at_wall = begins[:, 1] > 3.9  # the brick has fallen by 3 m
+        self.assertEqual(2 * at_wall.sum(), len(begins))
+        np.testing.assert_allclose([begins[at_wall, 0], ends[at_wall, 0]], 1, atol=5e-3)
+        heights = np.sort(np.array([begins[at_wall, 1], ends[at_wall, 1]]), axis=0)
+        lower, upper = heights[:, heights[0].argsort()]
+        np.testing.assert_allclose(lower[1:], upper[:-1], atol=5e-3)
+        np.testing.assert_allclose([lower[0], upper[-1]], [4, 5], atol=5e-3)
+        corners = np.array(self.browser.run(
+            "return viewer.picture.blockMesh.verticesOf(viewer.recording.blocks[1]).map((v) => [v.x, v.y])"))
+        side = corners[[0, 3]]
+        for point in np.concatenate((begins[~at_wall], ends[~at_wall])):
+            around = np.linalg.norm(side - point, axis=1).sum()  # 1, the length of the side, on it
+            self.assertLess(around, 1.005)
 
 
 class Space(ViewerTest):
