@@ -92,7 +92,8 @@ Vector<2> centroid_of_b(const Frames<2>& frames) { return frames.to_b(); }
 const Vector<3>& centroid_of_b(const Frames<3>& frames) { return frames.to_b; }
 
 /// The weights of a simplex's corners at its point nearest to the origin, relative to the newest corner.
-void weigh(const Simplex& simplex, double weight[4]) {
+/// False if that point is outside of the simplex, across from the newest corner.
+bool weigh(const Simplex& simplex, double weight[4]) {
   const int others = simplex.count - 1;
   const Vector<3>& newest = simplex.corner[others].at;
   Vector<3> to[3];
@@ -111,6 +112,7 @@ void weigh(const Simplex& simplex, double weight[4]) {
   double sum = 0;
   for (int i = 0; i < others; ++i) sum += weight[i] = std::clamp(weight[i], 0.0, 1.0);
   weight[others] = std::max(0.0, 1 - sum);
+  return sum <= 1;
 }
 
 /// A simplex around the origin has one corner more than the space has dimensions.
@@ -168,6 +170,8 @@ Found find_nearest(const Difference& difference, const Vector<3>& start) {
     Simplex next = simplex;
     next.add(corner);
     if (!(next.nearest.squaredNorm() < simplex.nearest.squaredNorm())) break;  // to rounding
+    // Four corners of one face of the difference: rounding decides which three remain.
+    if (double weight[4]; D == 3 && next.count == 3 && !weigh(next, weight)) break;
     simplex = next;
   }
   return found;
