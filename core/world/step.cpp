@@ -62,7 +62,9 @@ template <int D>
 void World<D>::predict_actions(double duration) {
   Actions<D>& actions = model_.actions;
   for (auto& target : actions.targets()) {
-    if (target.is_servo) target.resistance = stable_step_.contact_resistance_of(target.slot, duration);
+    if (!target.is_servo) continue;
+    const auto contacts = stable_step_.sum_over_contacts_of(target.slot);
+    target.servo.adapt(contacts.stiffness, contacts.viscosity, duration, clock_.time_step());
   }
   actions.predict({clock_.time(), duration}, model_.blocks);
   integrator_.take_actions(duration);
@@ -174,6 +176,7 @@ void World<D>::move_and_load() {
   const double duration = integrator_.duration();
   model_.fix_potential_length();
   if (!model_.actions.empty()) ledger_.add_outer_power(integrator_.power_of_jumps());
+  model_.actions.accept_motion();
   hard_contacts_.apply_position_impulses(ledger_);
   integrator_.kick_and_drift();
   forget_contacts();

@@ -7,11 +7,11 @@
 namespace halfspace {
 namespace {
 
-/// A servo corrects this fraction of the difference of its force per step, as seen from the resistance of its
-/// contacts (Cundall 1988). So it acts like a dashpot between the force and the contacts: it feeds no
-/// vibration, but where contacts yield at a velocity v, the force differs by v times the resistance over the
-/// fraction.
+/// The dashpot of a servo corrects this fraction of the missing force per step, as seen from the resistance
+/// of its contacts [Cundall 1988].
 constexpr double servo_fraction = 0.5;
+/// Its mass reaches the velocity of its dashpot after this number of steps.
+constexpr double servo_steps = 50;
 
 template <int D>
 Vector<D> in(const Vector<3>& components) {
@@ -53,6 +53,11 @@ bool is_same_motion(ActionKind a, ActionKind b) {
 }
 
 }  // namespace
+
+void Servo::adapt(double contact_stiffness, double contact_viscosity, double duration, double time_step) {
+  viscosity = (duration * contact_stiffness + contact_viscosity) / servo_fraction;
+  mass = (time_step * contact_stiffness + contact_viscosity) / servo_fraction * servo_steps * time_step;
+}
 
 template <int D>
 void Actions<D>::add(const Action<D>& action) {
@@ -191,16 +196,18 @@ void Actions<D>::give_velocity(const Action<D>& action, const TableIntegrals& in
   }
 }
 
-/// The block moves towards its contacts while their force on it is too small, with a velocity that their
-/// springs and dashpots answer with a part of the difference.
+/// The block moves towards its contacts while their force on it is too small. At its max speed, and without
+/// contacts, the mass keeps its velocity.
 template <int D>
 void Actions<D>::control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
                                Target& target) const {
   const std::size_t slot = std::size_t(action.slot);
   const Vector<D> direction = in<D>(action.scale).normalized();
   const double missing = in<D>(mean).dot(direction) + blocks.force[slot].dot(direction);
-  const double closing = servo_fraction * missing / target.resistance;
+  const double closing = action.drift + missing / target.servo.viscosity;
   const double speed = std::clamp(closing, -action.max_speed, action.max_speed);
+  target.servo.drift = action.drift;
+  if (speed == closing) target.servo.drift += missing / target.servo.mass * motion_.duration;
   const Vector<D> other = blocks.velocity[slot] - blocks.velocity[slot].dot(direction) * direction;
   const Vector<D> velocity = other + (std::isfinite(speed) ? speed : 0.0) * direction;
   give(target.velocity, direction, blocks.velocity[slot], velocity, velocity);
@@ -221,6 +228,13 @@ void Actions<D>::act_on_nodes(const NodeAction& action, std::size_t first, const
     give_by_table(given, action.kind == ActionKind::acceleration, scales_[entry], meshes.velocity[node], once,
                   twice, last, motion_.duration);
     given.components &= meshes.held[node];
+  }
+}
+
+template <int D>
+void Actions<D>::accept_motion() {
+  for (Action<D>& action : actions_) {
+    if (action.kind == ActionKind::servo) action.drift = target_at(action.slot).servo.drift;
   }
 }
 
@@ -266,8 +280,8 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
          blocks.moves(std::size_t(action.slot)) && !blocks.is_of_mesh(std::size_t(action.slot)));
     return names_block && is_kind(action.kind) && action.table >= 0 && action.table < tables_.count() &&
            action.place >= ForcePlace::centroid && action.place <= ForcePlace::fixed &&
-           is_finite(action.start) && is_nonnegative(action.max_speed) && action.scale.allFinite() &&
-           action.point.allFinite();
+           is_finite(action.start) && is_nonnegative(action.max_speed) && is_finite(action.drift) &&
+           action.scale.allFinite() && action.point.allFinite();
   };
   std::int64_t first = 0;
   const auto is_valid_on_nodes = [&](const NodeAction& action) {

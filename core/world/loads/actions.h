@@ -36,6 +36,7 @@ struct Action {
   ForcePlace place = ForcePlace::centroid;
   double start = 0;                     // time of the world at time 0 of the table, s
   double max_speed = 0;                 // of a servo, m/s
+  double drift = 0;                     // of a servo: the velocity of its mass, m/s
   Vector<3> scale = Vector<3>::Ones();  // a motion leaves components with scale 0 as they are
   Vector<3> point = Vector<3>::Zero();  // carried: in the frame of the shape; fixed: in space
 };
@@ -67,6 +68,18 @@ struct GivenVelocity {
     }
     return power;
   }
+};
+
+/// A servo moves as a plate without weight that is pushed by the missing force: the velocity of a dashpot
+/// plus that of a mass. Both only take up energy, so no vibration of the contacts grows. Where contacts yield
+/// at a constant velocity, the mass follows them, and no force is missing after a while.
+struct Servo {
+  double viscosity = 0;  // of the dashpot, N s/m
+  double mass = 0;       // kg
+  double drift = 0;      // velocity of the mass at the end of the motion, m/s
+
+  /// From the sums over its contacts.
+  void adapt(double contact_stiffness, double contact_viscosity, double duration, double time_step);
 };
 
 /// Motions and loads that follow tables. Over each motion of the world a load is constant, the mean of its
@@ -104,7 +117,7 @@ class Actions {
   struct Target {
     std::int32_t slot = -1;
     bool is_servo = false;
-    double resistance = 0;  // force of the contacts of a servo over its velocity for a motion, N s/m
+    Servo servo = {};
     GivenVelocity<Vector<D>> velocity = {};
     GivenVelocity<Angular<D>> spin = {};
     Vector<D> force = Vector<D>::Zero();
@@ -145,6 +158,8 @@ class Actions {
   };
   /// Sets loads and given velocities for the coming motion.
   void predict(const Motion& motion, const Blocks<D>& blocks);
+  /// The predicted motion is made, so that servos go on from its end.
+  void accept_motion();
   /// Sets the loads for the poses that blocks have now.
   void place_loads(const Blocks<D>& blocks);
   /// Sets targets and loads of the last predicted motion again. Call when actions, slots or nodes come or go,

@@ -151,17 +151,15 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
 }
 
 template <int D>
-double StableStep<D>::contact_resistance_of(std::int32_t block, double duration) const {
+typename StableStep<D>::StiffnessSum StableStep<D>::sum_over_contacts_of(std::int32_t block) const {
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
-  double sum = 0;
+  const auto is_of_block = [&](std::int32_t slot) {
+    return blocks_.mover_of(std::size_t(slot)) == std::size_t(block);
+  };
+  StiffnessSum sum;
   for (std::size_t c = 0; c < contacts_.count(); ++c) {
     const Candidate<D>& pair = contacts_.pair_of(c);
-    const auto is_of_block = [&](std::int32_t slot) {
-      return blocks_.mover_of(std::size_t(slot)) == std::size_t(block);
-    };
-    if (!is_of_block(pair.a) && !is_of_block(pair.b)) continue;
-    const StiffnessSum of_contact = contact_stiffness_of(c, length);
-    sum += duration * of_contact.stiffness + of_contact.viscosity;
+    if (is_of_block(pair.a) || is_of_block(pair.b)) sum.add(contact_stiffness_of(c, length), 1);
   }
   return sum;
 }

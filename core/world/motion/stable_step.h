@@ -32,11 +32,6 @@ class StableStep {
     std::int64_t bond;  // -1: a contact
   };
   std::optional<Neighbor> stiffest_neighbor_of(std::int32_t block) const;
-  /// The force of a block's contacts over its velocity, if it moves for `duration`, N s/m.
-  double contact_resistance_of(std::int32_t block, double duration) const;
-  void reserve(std::size_t slots) { stiffness_of_block_.reserve(slots); }
-
- private:
   /// Stiffness and viscosity of a contact, or their sums over the contacts of a block.
   struct StiffnessSum {
     int contacts = 0;
@@ -49,7 +44,11 @@ class StableStep {
       viscosity += times * other.viscosity;
     }
   };
+  /// Upper bounds, as a contact may grow to the whole face of a block.
+  StiffnessSum sum_over_contacts_of(std::int32_t block) const;
+  void reserve(std::size_t slots) { stiffness_of_block_.reserve(slots); }
 
+ private:
   double largest_stiffness(const ContactLaw& law, std::size_t block, double potential_length) const;
   StiffnessSum stiffest_contact(std::size_t block, double potential_length) const;
   StiffnessSum contact_stiffness_of(std::size_t contact, double potential_length) const;
