@@ -60,6 +60,7 @@ Blocks<D>::Blocks(Memory* memory)
 template <int D>
 void Blocks<D>::resize(std::size_t slots) {
   if (free_slots_.capacity() < slots) free_slots_.reserve(2 * slots);  // so remove() allocates nothing
+  moving_end_ = std::min(moving_end_, std::int64_t(slots));
   kind.resize(slots, BlockKind::none);
   material.resize(slots);
   generation.resize(slots);
@@ -120,6 +121,7 @@ std::int32_t Blocks<D>::occupy(const typename Outlines<D>::Taken& outline, Block
   ++generation[s];
   ++living_;
   kind[s] = block_kind;
+  if (moves(s)) moving_end_ = std::max(moving_end_, std::int64_t(slot) + 1);
   material[s] = block_material;
   force[s] = applied_force[s] = Vector<D>::Zero();
   torque[s] = applied_torque[s] = Angular<D>::Zero();

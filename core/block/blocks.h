@@ -37,6 +37,8 @@ class Blocks {
   explicit Blocks(Memory* memory);
 
   std::size_t slot_count() const { return kind.size(); }
+  /// From this slot on no block moves. So fixed blocks that are added last cost a pass over blocks nothing.
+  std::size_t moving_end() const { return std::size_t(moving_end_); }
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
   bool moves_freely(std::size_t slot) const { return kind[slot] >= BlockKind::rigid; }
@@ -221,7 +223,8 @@ class Blocks {
   void visit(Archive& archive) {
     archive(kind, material, generation, position, velocity, force, applied_force, rotation, angle, spin,
             momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, held,
-            held_count_, free_slots_, outlines_, deformations_, compounds_, meshes_, bonds_, living_);
+            held_count_, free_slots_, outlines_, deformations_, compounds_, meshes_, bonds_, living_,
+            moving_end_);
     if constexpr (Archive::reads) free_slots_.reserve(slot_count());
   }
 
@@ -262,6 +265,7 @@ class Blocks {
   Meshes<D> meshes_;
   Bonds<D> bonds_;
   std::int64_t living_ = 0;
+  std::int64_t moving_end_ = 0;
   std::int64_t held_count_ = 0;  // blocks with held components
 };
 

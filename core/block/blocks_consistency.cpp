@@ -26,10 +26,11 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
       thickness.size(), held.size(),           outlines_.slot_count()};
   if (std::any_of(std::begin(sizes), std::end(sizes), [&](std::size_t size) { return size != slots; }))
     return false;
-  if (angle.size() != (D == 2 ? slots : 0)) return false;
+  if (angle.size() != (D == 2 ? slots : 0) || moving_end_ < 0 || moving_end() > slots) return false;
   Array<std::int32_t> living(kind.get_allocator().resource());
   for (std::size_t i = 0; i < slots; ++i) {
     if (kind[i] == BlockKind::none) continue;
+    if (moves(i) && i >= moving_end()) return false;
     living.push_back(std::int32_t(i));
     if (kind[i] < BlockKind::fixed || kind[i] > BlockKind::mesh) return false;
     if (material[i] < 0 || material[i] >= material_count) return false;

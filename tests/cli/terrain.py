@@ -1,8 +1,12 @@
 """Terrain: an open surface of triangles as a fixed boundary in space."""
 import math
 import random
+import re
 import struct
 import zlib
+
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 from command import SceneTest, halfspace, main
 
@@ -59,6 +63,14 @@ def uneven_plane(columns, rows, low, high):
 def obj(vertices, triangles):
     return ("".join("v {!r} {!r} {!r}\n".format(*vertex) for vertex in vertices) +
             "".join("f {} {} {}\n".format(*(i + 1 for i in triangle)) for triangle in triangles))
+
+
+def frame_blocks(path):
+    """The block of each cell, by VTK's own reader."""
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("block")).tolist()
 
 
 def png_of_16_bits(rows):
@@ -122,6 +134,23 @@ class Terrain(SceneTest):
             self.assertEqual(self.checked(), (0, ""))
             self.check_fault(text % 3.01, r'output\.tracked\[0\]\.at: \[14, 22, 3\.01\] is outside of all blocks; '
                                           r'the nearest is "ground\.\d+", 0\.00\d+ m away')
+
+    def test_frames_have_the_terrain_once_and_again_where_triangles_are_excavated(self):
+        (self.directory / "plane.obj").write_text(obj(*uneven_plane(3, 2, (-2, -3), (12, 3))))
+        head = HEAD.format(duration=1, gravity=[0, 0, -9.81], step=1e-2, stiffness="none", springs="")
+        scene = head + TERRAIN.format(file="plane.obj", depth=2) + block("box", (0, -0.5, 0), (1, 0.6, 0.5))
+        stages = '[[stage]]\ndo = "run"\nduration = 0.5\n' * 2 + 'excavate = ["ground.11"]\n'
+        self.run_scene(scene.replace("duration = 1\n", "") + stages + "[output]\nframe_interval = 0.2\n")
+        entries = re.findall(r'timestep="([^"]+)".* file="([^"]+)"', (self.output / "terrain.pvd").read_text())
+        self.assertEqual([(float(time), file) for time, file in entries],
+                         [(0, "frames/terrain_0000.vtp"), (0.6, "frames/terrain_0003.vtp")])
+        blocks = {name: frame_blocks(self.output / "frames" / name) for name in
+                  ("terrain_0000.vtp", "terrain_0003.vtp", "frame_0000.vtp", "frame_0003.vtp")}
+        self.assertEqual(blocks["terrain_0000.vtp"], list(range(1, 13)))
+        self.assertEqual(blocks["terrain_0003.vtp"], list(range(1, 12)))
+        self.assertEqual(blocks["frame_0000.vtp"], [0] * 6)
+        self.assertEqual(blocks["frame_0003.vtp"], [0] * 6)
+        self.assertIn("terrain.pvd", (self.output / "show_in_paraview.py").read_text())
 
     def checked(self):
         answer = halfspace("check", self.scene)

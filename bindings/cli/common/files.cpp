@@ -45,7 +45,7 @@ void remove_earlier_run(const fs::path& path) {
         "history.csv", "first.svg",           "last.svg",     "summary.txt", "safety.txt", "stands.svg",
         "falls.svg",   "trade.csv",           "trade.txt",    "trade.svg",   "limit.txt",  "trials.csv",
         "table.csv",   "table.svg",           "results.csv",  "joints.csv",  "checkpoint", "blocks.csv",
-        "water.pvd",   "show_in_paraview.py", "view.html"})
+        "water.pvd",   "show_in_paraview.py", "view.html",    "terrain.pvd"})
     fs::remove(path / name);
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(path, "stage_", ".svg");
@@ -54,6 +54,7 @@ void remove_earlier_run(const fs::path& path) {
   remove_numbered(frames, "contacts_", ".vtp");
   remove_numbered(frames, "bolts_", ".vtp");
   remove_numbered(frames, "water_", ".vtp");
+  remove_numbered(frames, "terrain_", ".vtp");
   if (!fs::is_directory(path / "runs")) return;
   for (const fs::directory_entry& run : fs::directory_iterator(path / "runs"))
     if (run.is_directory() && !run.is_symlink()) remove_earlier_run(run.path());
@@ -85,6 +86,7 @@ std::string frame_name(int number) { return numbered("frames/frame_", number); }
 std::string contacts_name(int number) { return numbered("frames/contacts_", number); }
 std::string bolts_name(int number) { return numbered("frames/bolts_", number); }
 std::string water_name(int number) { return numbered("frames/water_", number); }
+std::string terrain_name(int number) { return numbered("frames/terrain_", number); }
 
 std::string stage_checkpoint_name(std::size_t stage) {
   return "stage_" + std::to_string(stage) + ".checkpoint";
@@ -108,7 +110,8 @@ void OutputDirectory::remove_frames_from(int number) {
   for (;; ++number) {
     const fs::path frame = path_ / frame_name(number);
     std::error_code error;
-    for (const std::string& name : {contacts_name(number), bolts_name(number), water_name(number)}) {
+    for (const std::string& name :
+         {contacts_name(number), bolts_name(number), water_name(number), terrain_name(number)}) {
       fs::remove(path_ / name, error);
       fs::remove(path_ / (name + ".part"), error);
     }

@@ -14,6 +14,7 @@ std::string frame_name(int number);
 std::string contacts_name(int number);
 std::string bolts_name(int number);
 std::string water_name(int number);
+std::string terrain_name(int number);
 
 /// The name of the checkpoint at the end of a stage.
 std::string stage_checkpoint_name(std::size_t stage);

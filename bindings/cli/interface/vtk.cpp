@@ -25,7 +25,8 @@ hs_status hs_scene_write_vtk(hs_scene* scene, hs_context* context, const hs_worl
     require_given(world, "world");
     require_given(blocks, "blocks");
     const WorldPicture picture = picture_of(borrowed(context), world, start);
-    write(blocks, vtk_polygons(picture.layout, picture.frame, picture.start));
+    write(blocks,
+          vtk_polygons(picture.layout, picture.frame, picture.start, {0, picture.layout.blocks.size()}));
     if (contacts) write(contacts, vtk_contacts(picture.frame));
   });
 }

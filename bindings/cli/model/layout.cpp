@@ -96,6 +96,7 @@ class LayoutBuilder {
           add_block(member(terrain.making, count++), terrain.making, std::move(block.shape),
                     {.rotation = {}, .shift = block.place}, {});
           layout_.blocks.back().faces = {std::move(block.top)};
+          ++layout_.terrain_count;
         });
       } catch (const LibraryError&) {
         throw;

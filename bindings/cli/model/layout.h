@@ -96,6 +96,8 @@ struct Layout {
   std::vector<LayoutBlock> blocks;
   std::vector<LayoutBody> bodies;
   std::vector<LayoutCompound> compounds;
+  std::size_t terrain_count = 0;  ///< of the last blocks: they are triangles of terrains
+  std::size_t terrain_begin() const { return blocks.size() - terrain_count; }
   /// True if some block deforms, so that there are stresses to write.
   bool has_deformable() const;
 

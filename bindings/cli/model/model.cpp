@@ -245,8 +245,9 @@ hs_bond_report Model::bond_report() const {
 
 double Model::next_motion_change() const {
   double next = never;
-  for (const LayoutBlock& block : layout_.blocks) {
-    for (double change : {block.motion.start, block.motion.stop}) {
+  for (std::size_t i = 0; i < layout_.terrain_begin(); ++i) {
+    const Motion& motion = layout_.blocks[i].motion;
+    for (double change : {motion.start, motion.stop}) {
       if (!reached(change)) next = std::min(next, change);
     }
   }
@@ -257,7 +258,7 @@ void Model::set_due_motions() {
   const auto is_due = [&](std::size_t block) {
     return layout_.blocks[block].kind == HS_BLOCK_PRESCRIBED && !is_removed_[block];
   };
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+  for (std::size_t i = 0; i < layout_.terrain_begin(); ++i) {
     const LayoutBlock& block = layout_.blocks[i];
     if (is_due(i) && !block.compound) set_due_motion(blocks_[i], block.motion);
   }

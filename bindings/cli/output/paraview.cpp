@@ -84,6 +84,12 @@ view.CameraPosition = [-0.5, -0.8, 0.35]
 view.ResetCamera()
 )";
 
+constexpr const char* terrain_in_script = R"(
+shown = Show(series("terrain.pvd"), view)
+ColorBy(shown, None)
+shown.DiffuseColor = shown.AmbientColor = [0.6, 0.55, 0.5]
+)";
+
 }  // namespace
 
 std::string paraview_script(const Scene& scene) {
@@ -92,6 +98,7 @@ std::string paraview_script(const Scene& scene) {
   if (scene.output.contacts && scene.world.dimension == 3) script += forces_inside_solids_in_script;
   if (!scene.bolts.empty()) script += bolts_in_script;
   if (has_water(scene)) script += water_in_script;
+  if (!scene.terrains.empty()) script += terrain_in_script;
   script += "\ntitle = Text(Text=" + python(scene.title) + ")\nShow(title, view)\n";
   script +=
       scene.world.dimension == 2 ? "view.InteractionMode = \"2D\"\nview.ResetCamera()\n" : view_in_space;

@@ -17,15 +17,16 @@ void add_rotation(const hs_block_state& state, VtkArray& rotation, VtkArray& spi
   spin.add(spin.components == 1 ? &state.angular_velocity[2] : state.angular_velocity);
 }
 
-void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start, VtkCells& cells) {
+void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start, BlockRange blocks,
+                   VtkCells& cells) {
   const bool in_plane = layout.dimension == 2;
   VtkIntegers block{"block"}, kind{"kind"}, material{"material"};
   VtkArray velocity("velocity", 3), displacement("displacement", 3), force("contact_force", 3);
   VtkArray rotation = in_plane ? VtkArray("angle", 1) : VtkArray("rotation", 4);
   VtkArray spin("angular_velocity", in_plane ? 1 : 3);
   VtkArray stress("stress", 9), strain("strain", 9);
-  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
-    if (frame.blocks[i].vertices.empty()) continue;  // it has been excavated
+  for (std::size_t i = blocks.begin; i < blocks.end; ++i) {
+    if (is_removed(frame.blocks[i])) continue;
     const hs_block_state& now = frame.blocks[i].state;
     const hs_block_state& then = start.blocks[i].state;
     double moved[3];
@@ -75,10 +76,10 @@ std::vector<Point> water_corners(int dimension, const Frame& frame) {
 
 }  // namespace
 
-std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start) {
+std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start, BlockRange blocks) {
   VtkCells cells{.kind = "Polys", .time = frame.time};
-  for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
-    if (frame.blocks[i].vertices.empty()) continue;
+  for (std::size_t i = blocks.begin; i < blocks.end; ++i) {
+    if (is_removed(frame.blocks[i])) continue;
     const std::size_t first = cells.points.size() / 3;
     for (const Point& p : frame.blocks[i].vertices)
       cells.points.insert(cells.points.end(), p.begin(), p.end());
@@ -87,7 +88,7 @@ std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& 
       cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
     }
   }
-  add_cell_data(layout, frame, start, cells);
+  add_cell_data(layout, frame, start, blocks, cells);
   return vtk_text(cells);
 }
 
@@ -152,6 +153,8 @@ void VtkSeries::add_to(Archive& archive, bool has_frames) {
   archive.add(contact_entries_);
   archive.add(bolt_entries_);
   archive.add(water_entries_);
+  archive.add(terrain_entries_);
+  archive.add(terrain_left_);
   archive.add(count_);
   archive.require(count_ >= 0 && count_ <= max_frames, "invalid number of frames");
   if (has_frames) return;
@@ -159,6 +162,8 @@ void VtkSeries::add_to(Archive& archive, bool has_frames) {
   contact_entries_.clear();
   bolt_entries_.clear();
   water_entries_.clear();
+  terrain_entries_.clear();
+  terrain_left_ = 0;
 }
 
 void VtkSeries::add(const Frame& frame, const Frame& start) {
@@ -168,7 +173,17 @@ void VtkSeries::add(const Frame& frame, const Frame& start) {
     entries += vtk_entry(frame.time, name);
     directory_.write(collection, vtk_collection(entries));
   };
-  write(frame_name(count_), vtk_polygons(layout_, frame, start), entries_, "run.pvd");
+  const BlockRange terrain{layout_.terrain_begin(), layout_.blocks.size()};
+  write(frame_name(count_), vtk_polygons(layout_, frame, start, {0, terrain.begin}), entries_, "run.pvd");
+  const std::size_t left =
+      layout_.terrain_count -
+      static_cast<std::size_t>(std::count_if(
+          frame.blocks.begin() + static_cast<std::ptrdiff_t>(terrain.begin), frame.blocks.end(), is_removed));
+  if (left != terrain_left_) {
+    write(terrain_name(count_), vtk_polygons(layout_, frame, start, terrain), terrain_entries_,
+          "terrain.pvd");
+    terrain_left_ = left;
+  }
   if (scene_.output.contacts)
     write(contacts_name(count_), vtk_contacts(frame), contact_entries_, "contacts.pvd");
   if (!scene_.bolts.empty()) write(bolts_name(count_), vtk_bolts(frame), bolt_entries_, "bolts.pvd");

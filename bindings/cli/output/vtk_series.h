@@ -8,9 +8,15 @@
 
 namespace halfspace::cli {
 
-/// One frame as VTK XML PolyData: the faces of each block (in 2D the block itself), with its motion as cell
-/// data.
-std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start);
+/// Consecutive blocks of a layout.
+struct BlockRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Blocks of a frame as VTK XML PolyData: the faces of each block (in 2D the block itself), with its motion
+/// as cell data.
+std::string vtk_polygons(const Layout& layout, const Frame& frame, const Frame& start, BlockRange blocks);
 
 /// The contacts of a frame as points of VTK XML PolyData, at the points of application, with force, normal
 /// and gap.
@@ -24,7 +30,8 @@ std::string vtk_bolts(const Frame& frame);
 std::string vtk_water(int dimension, const Frame& frame);
 
 /// The frames of a run for ParaView: frames/frame_0000.vtp, ... and run.pvd, which gives their times; with
-/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd, and likewise with bolts and water.
+/// contacts also frames/contacts_0000.vtp, ... and contacts.pvd, and likewise with bolts and water. Terrains
+/// are in terrain.pvd, with a file where triangles have been excavated since the last one.
 class VtkSeries {
  public:
   VtkSeries(const Layout& layout, const Scene& scene, OutputDirectory& directory)
@@ -42,6 +49,8 @@ class VtkSeries {
   std::string contact_entries_;
   std::string bolt_entries_;
   std::string water_entries_;
+  std::string terrain_entries_;
+  std::size_t terrain_left_ = 0;  ///< triangles in the last file
   int count_ = 0;
 };
 

@@ -60,12 +60,14 @@ std::string difference_of(const Fingerprint& one, const Fingerprint& other) {
 }
 
 std::string sealed(const std::string& state) {
-  Archive archive;
+  Archive head;
   std::uint64_t hash = hash_of(state);
-  std::string content = state;
-  archive.add(hash);
-  archive.add(content);
-  return first_line() + archive.bytes();
+  std::size_t size = state.size();
+  head.add(hash);
+  head.add(size);
+  std::string file = first_line() + head.bytes();
+  file.reserve(file.size() + size);  // one copy only: states of large scenes have gigabytes
+  return file.append(state);
 }
 
 std::string open_checkpoint(const std::string& file) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -78,12 +79,19 @@ class Reader {
     if (frames.empty()) throw std::runtime_error((folder_ / "run.pvd").string() + " has no frames");
     const VtkFrame start((folder_ / frames[0].second).string());
     Recording recording(start.has("angle") ? 2 : 3, title());
+    const auto terrains = collection("terrain.pvd");
     read_blocks(start, recording);
+    if (!terrains.empty()) add_blocks(VtkFrame((folder_ / terrains[0].second).string()), recording);
     const auto contacts = collection("contacts.pvd"), bolts = collection("bolts.pvd"),
                waters = collection("water.pvd");
+    std::optional<VtkFrame> terrain;
+    auto next_terrain = terrains.begin();
     for (std::size_t f = 0; f < frames.size(); ++f) {
       recording.add_frame(frames[f].first);
       add_motion(VtkFrame((folder_ / frames[f].second).string()), recording);
+      for (; next_terrain != terrains.end() && next_terrain->first <= frames[f].first; ++next_terrain)
+        terrain.emplace((folder_ / next_terrain->second).string());
+      if (terrain) add_motion(*terrain, recording);
       if (f < contacts.size()) add_contacts(VtkFrame((folder_ / contacts[f].second).string()), recording);
       if (f < bolts.size()) add_bolts(VtkFrame((folder_ / bolts[f].second).string()), recording);
       if (f < waters.size()) recording.set_water(VtkFrame((folder_ / waters[f].second).string()).points());
@@ -126,6 +134,10 @@ class Reader {
     }
     while (!materials.empty() && materials.back().empty()) materials.pop_back();
     recording.set_material_names(materials);
+    add_blocks(start, recording);
+  }
+
+  void add_blocks(const VtkFrame& start, Recording& recording) {
     for (const BlockPart& part : parts_of(start)) {
       // Blocks that the first frame is without keep their numbers, and have no vertices.
       while (recording.block_count() < part.number)

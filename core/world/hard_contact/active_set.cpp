@@ -99,13 +99,18 @@ void ActiveSet<D>::add_block(std::int32_t block) {
 }
 
 template <int D>
-void ActiveSet<D>::order_blocks(const ImpulseProblem<D>& problem) {
-  index_of_block_.assign(problem.motions.size(), -1);
+void ActiveSet<D>::find_blocks(const ImpulseProblem<D>& problem) {
+  for (const std::int32_t block : blocks_) index_of_block_[std::size_t(block)] = -1;
+  index_of_block_.resize(problem.motions.size(), -1);
   blocks_.clear();
   for (const ImpulseContact<D>& contact : problem.contacts) {
     if (contact.inverse_mass_a > 0) add_block(contact.a);
     if (contact.inverse_mass_b > 0) add_block(contact.b);
   }
+}
+
+template <int D>
+void ActiveSet<D>::order_blocks(const ImpulseProblem<D>& problem) {
   const int count = int(blocks_.size());
   entries_.clear();
   for (const ImpulseContact<D>& contact : problem.contacts) {
@@ -239,14 +244,17 @@ template <int D>
 void ActiveSet<D>::keep(const ImpulseProblem<D>& problem) {
   best_.resize(problem.rows.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) best_[i] = problem.rows[i].impulse;
-  best_motions_.assign(problem.motions.begin(), problem.motions.end());
+  best_motions_.resize(problem.motions.size());
+  for (const std::int32_t block : blocks_)
+    best_motions_[std::size_t(block)] = problem.motions[std::size_t(block)];
 }
 
 /// Impulses that pull are within the tolerance, and end as none.
 template <int D>
 void ActiveSet<D>::restore(ImpulseProblem<D>& problem) const {
   for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.rows[i].impulse = best_[i];
-  problem.motions.assign(best_motions_.begin(), best_motions_.end());
+  for (const std::int32_t block : blocks_)
+    problem.motions[std::size_t(block)] = best_motions_[std::size_t(block)];
   for (const ImpulseContact<D>& contact : problem.contacts) {
     for (ImpulseRow<D>& row : problem.normals_of(contact))
       problem.set_impulse(contact, row, std::max(0.0, row.impulse));
@@ -284,6 +292,7 @@ double ActiveSet<D>::solve(ImpulseProblem<D>& problem, double tolerance, bool is
   states_.assign(problem.rows.size(), State::unknown);
   compliance_ = first_compliance;
   double least = classify(problem, is_cold ? -noise : noise), last = HUGE_VAL;
+  find_blocks(problem);
   keep(problem);
   try {
     order_blocks(problem);

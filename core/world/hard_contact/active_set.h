@@ -43,6 +43,7 @@ class ActiveSet {
   };
   double classify(ImpulseProblem<D>& problem, double noise);
   void set_state(std::size_t row, State state);
+  void find_blocks(const ImpulseProblem<D>& problem);
   void order_blocks(const ImpulseProblem<D>& problem);
   void add_block(std::int32_t block);
   bool factorize(const ImpulseProblem<D>& problem);
@@ -66,8 +67,8 @@ class ActiveSet {
   Eigen::VectorXd change_;  // of the unknowns
   Array<double> changes_of_rows_;
   Array<std::int32_t> unordered_;
-  Array<double> best_;  // impulses of each row
-  Array<BlockMotion<D>> best_motions_;
+  Array<double> best_;                  // impulses of each row
+  Array<BlockMotion<D>> best_motions_;  // of each slot; only those in blocks_ are kept
 };
 
 extern template class ActiveSet<2>;

@@ -20,8 +20,9 @@ std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
 /// Inertias are those of the present rotations.
 template <int D>
 void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
-  problem.inverse_masses.assign(blocks_.slot_count(), {});
-  for (std::size_t i = 0; i < problem.inverse_masses.size(); ++i) {
+  problem.inverse_masses.resize(blocks_.slot_count());
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
+    problem.inverse_masses[i] = {};
     if (!search_.is_free(i) || blocks_.is_part(i)) continue;
     problem.inverse_masses[i] = {1 / blocks_.mass[i], blocks_.inertia[i].inverse(blocks_.rotation[i])};
   }

@@ -59,14 +59,18 @@ bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
   return model_.has_manifold(pair) && (is_free(std::size_t(pair.a)) || is_free(std::size_t(pair.b)));
 }
 
+template <int D>
+double ManifoldSearch<D>::allowance(std::size_t slot) const {
+  return slot < allowance_.size() ? allowance_[slot] : allowance_fraction * blocks_.radius[slot];
+}
+
 /// Faces are chosen where blocks would be by their present velocities: at the start of a motion the end of a
 /// flush face would stop a block that slides on to the next, and with gravity a block would sink into it.
 template <int D>
 void ManifoldSearch<D>::pose_ahead(double duration) {
-  const std::size_t slots = blocks_.slot_count();
-  ahead_.resize(slots);
-  allowance_.resize(slots);
-  for (std::size_t i = 0; i < slots; ++i) {
+  ahead_.resize(blocks_.moving_end());
+  allowance_.resize(blocks_.moving_end());
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     if (!blocks_.lives(i)) continue;
     ahead_[i] = now(i);
     allowance_[i] = allowance_fraction * blocks_.radius[i];
@@ -92,15 +96,15 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (!may_touch(pair)) continue;
     const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-    const double margin = allowance_[a] + allowance_[b];
+    const double margin = allowance(a) + allowance(b);
     const double distance = blocks_.radius[a] + blocks_.radius[b] + margin;
-    if ((ahead_[a].position - ahead_[b].position).squaredNorm() > distance * distance) continue;
+    if ((place_ahead(a) - place_ahead(b)).squaredNorm() > distance * distance) continue;
     PlannedContact<D> contact;
     contact.a = pair.a;
     contact.b = pair.b;
     while (before != known.end() && before->blocks() < contact.blocks()) ++before;
     if (before != known.end() && before->blocks() == contact.blocks()) contact.manifold = before->manifold;
-    if (find_manifold(ahead_[a], ahead_[b], margin, contact.manifold)) found.push_back(contact);
+    if (find_manifold(ahead(a), ahead(b), margin, contact.manifold)) found.push_back(contact);
   }
 }
 

@@ -36,7 +36,7 @@ class ManifoldSearch {
       RigidContact<D> contact;
       contact.a = pair.a;
       contact.b = pair.b;
-      const PosedBlock<D>&a = ahead_[std::size_t(pair.a)], &b = ahead_[std::size_t(pair.b)];
+      const PosedBlock<D> a = ahead(std::size_t(pair.a)), b = ahead(std::size_t(pair.b));
       if (find_manifold(a, b, reach(contact), contact.manifold)) visit(pair.a, pair.b);
     }
   }
@@ -62,13 +62,20 @@ class ManifoldSearch {
  private:
   bool may_touch(const Candidate<D>& pair) const;
   void pose_ahead(double duration);
+  PosedBlock<D> ahead(std::size_t slot) const { return slot < ahead_.size() ? ahead_[slot] : now(slot); }
+  const Vector<D>& place_ahead(std::size_t slot) const {
+    return slot < ahead_.size() ? ahead_[slot].position : blocks_.position[slot];
+  }
+  /// How far a block may deviate from the pose ahead, m.
+  double allowance(std::size_t slot) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   const ContactList<D>& contacts_;
   const Integrator<D>& integrator_;
-  Array<PosedBlock<D>> ahead_;  // of each block, at the end of the motion by its velocity now
-  Array<double> allowance_;     // m, that a block may deviate from that
+  // Of each block up to the last one that moves. The others stay.
+  Array<PosedBlock<D>> ahead_;  // at the end of the motion, by its velocity now
+  Array<double> allowance_;     // m
 };
 
 extern template class ManifoldSearch<2>;

@@ -57,7 +57,7 @@ void RigidContacts<D>::warm_start(double duration) {
 /// Blocks that others support do not fall.
 template <int D>
 void RigidContacts<D>::add_other_changes() {
-  for (std::size_t i = 0; i < problem_.motions.size(); ++i) problem_.motions[i] += changes().of_motion(i);
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] += changes().of_motion(i);
 }
 
 /// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
@@ -203,7 +203,7 @@ BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
 template <int D>
 void RigidContacts<D>::set_motions(Half half) {
   problem_.motions.resize(blocks_.slot_count());
-  for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     const bool is_ahead =
         half == Half::first && (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed);
     problem_.motions[i] = is_ahead ? integrator_.motion_at_half_step(i) : motion(i);
@@ -277,7 +277,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
   rows_.build(planned_, problem_, held_by_points);
-  problem_.motions.assign(blocks_.slot_count(), {});  // displacements
+  std::fill_n(problem_.motions.begin(), blocks_.moving_end(), BlockMotion<D>());  // displacements
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     problem_.contacts[c].friction_count = 0;
@@ -291,7 +291,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
   }
   solver_.sweep_only(problem_, std::min(max_recovery_sweeps, model_.settings.max_impulse_iterations));
   double energy = 0;
-  for (std::size_t i = 0; i < problem_.motions.size(); ++i) {
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     const BlockMotion<D>& displacement = problem_.motions[i];
     if (displacement.velocity.isZero(0) && displacement.spin.isZero(0)) continue;
     integrator_.displace(i, displacement);

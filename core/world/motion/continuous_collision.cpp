@@ -56,7 +56,7 @@ bool ContinuousCollision<D>::any() const {
   if (integrator_.longest_motion() < integrator_.duration() * calm_speed &&
       fastest_squared_ < calm_speed * calm_speed)
     return false;
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     if (is_fast(i)) return true;
   }
   return false;

@@ -196,7 +196,7 @@ template <int D>
 void Integrator<D>::take_kicks(EnergySample& sample) {
   EnergySample all;
   all.applied_power = sample.applied_power;
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) take_kick(i, all);
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) take_kick(i, all);
   follow_velocities();
   meshes_.take_kicks(duration_, all);
   reaction_.swap(kicks_);

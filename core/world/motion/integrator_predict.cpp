@@ -104,7 +104,7 @@ bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, doub
 /// Announces the displacements of blocks that move by more than their radius.
 template <int D>
 void Integrator<D>::announce_displacements() {
-  for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     if (blocks_.moves(i) && !blocks_.is_compound(i) && neighbors_.announced_motion(i) > blocks_.radius[i])
       neighbors_.announce_displacement(i, predicted_displacement(i));
   }

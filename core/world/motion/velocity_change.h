@@ -37,9 +37,9 @@ class VelocityChange {
   /// Allocates and zeroes the changes, for one half of a motion of this duration.
   void begin(double duration) {
     rate_ = 2 / duration;
-    of_block_.assign(blocks_.slot_count(), Vector<D>::Zero());
-    momentum_.assign(blocks_.slot_count(), Angular<D>::Zero());
-    of_gradient_.assign(blocks_.has_deformable() ? blocks_.slot_count() : 0, Tensor<D>::Zero());
+    of_block_.assign(blocks_.moving_end(), Vector<D>::Zero());
+    momentum_.assign(blocks_.moving_end(), Angular<D>::Zero());
+    of_gradient_.assign(blocks_.has_deformable() ? blocks_.moving_end() : 0, Tensor<D>::Zero());
     of_node_.assign(blocks_.meshes().node_count(), Vector<D>::Zero());
   }
   void swap(VelocityChange& other) noexcept {
@@ -56,7 +56,7 @@ class VelocityChange {
     of_node_.clear();
   }
 
-  // Zero for blocks and nodes added since begin().
+  // Zero for blocks that do not move, and for blocks and nodes added since begin().
   Vector<D> of_node(std::size_t node) const { return of(of_node_, node, Vector<D>(Vector<D>::Zero())); }
   Vector<D> of_block(std::size_t slot) const { return of(of_block_, slot, Vector<D>(Vector<D>::Zero())); }
   Angular<D> momentum(std::size_t slot) const { return of(momentum_, slot, Angular<D>(Angular<D>::Zero())); }
