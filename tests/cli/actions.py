@@ -122,6 +122,23 @@ class Actions(SceneTest):
         self.assertLess(max(v for time, v in speed if time > 0.013), 0.02 * incoming)
         self.assertLess(float(self.rows()[-1]["kinetic"]), 1e-3 * 66.7)
 
+    def test_a_wave_in_rigid_blocks_leaves_a_quiet_base(self):
+        """It passes a block in the middle until 9.5 ms, and what the base reflects comes from 12 ms on."""
+        scene = (EXAMPLES / "coming_from" / "quiet_base.toml").read_text()
+        viscous = '[[mesh.viscous]]\ngroup = "bottom"\n'
+        self.assertIn(viscous, scene)
+
+        def reflected(text):
+            self.run_scene(text)
+            speed = [(float(row["stage_time"]), abs(float(row["column.20.vy"])))
+                     for row in self.rows() if row["stage"] == "wave"]
+            incoming = max(v for time, v in speed if time < 0.0095)
+            self.assertAlmostEqual(incoming, 2e4 / (2500 * 2000), delta=4e-4)
+            return max(v for time, v in speed if 0.012 < time < 0.022) / incoming
+
+        self.assertLess(reflected(scene), 0.03)
+        self.assertGreater(reflected(scene.replace(viscous, '[[mesh.support]]\ngroup = "bottom"\n')), 0.9)
+
     def test_faults_name_the_key_and_what_is_allowed(self):
         for old, new, fault in [
             ('on = "ground"', 'on = "grund"', r"action\[0\]\.on: no such block: .grund. .did you mean .ground"),
