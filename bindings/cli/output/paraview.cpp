@@ -86,7 +86,7 @@ view.ResetCamera()
 
 constexpr const char* terrain_in_script = R"(
 shown = Show(series("terrain.pvd"), view)
-ColorBy(shown, None)
+shown.ColorArrayName = ["POINTS", ""]
 shown.DiffuseColor = shown.AmbientColor = [0.6, 0.55, 0.5]
 )";
 
