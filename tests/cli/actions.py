@@ -127,6 +127,8 @@ class Actions(SceneTest):
         scene = (EXAMPLES / "coming_from" / "quiet_base.toml").read_text()
         viscous = '[[mesh.viscous]]\ngroup = "bottom"\n'
         self.assertIn(viscous, scene)
+        answer = halfspace("check", EXAMPLES / "coming_from" / "quiet_base.toml")
+        self.assertNotRegex(answer.stdout, " falls?")  # the load below bears it
 
         def reflected(text):
             self.run_scene(text)

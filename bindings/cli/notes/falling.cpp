@@ -43,7 +43,8 @@ class Falling {
     std::set<std::string> noted;  // once for each table of the file
     for (const Cluster& cluster : clusters) {
       const LayoutBlock& block = first_of(cluster);
-      if (noted.contains(block.key) || cluster.is_thrown || floats(cluster) || !falls_far(cluster)) continue;
+      if (noted.contains(block.key) || cluster.is_thrown || is_carried(cluster) || !falls_far(cluster))
+        continue;
       const double gap = gap_below(cluster);
       std::string text;
       if (gap == std::numeric_limits<double>::infinity()) {
@@ -134,10 +135,24 @@ class Falling {
                        [&](const SceneStage& stage) { return carries(stage.water); });
   }
 
+  /// True if loads on the faces of its meshes bear the weight of the cluster, as below a base that waves
+  /// leave.
+  bool is_borne_by_loads(const Cluster& cluster) const {
+    double upward = 0;
+    for (const LayoutBody& body : start_.layout.bodies) {
+      if (!std::binary_search(cluster.blocks.begin(), cluster.blocks.end(), body.first_block)) continue;
+      for (const LayoutBody::Force& force : body.forces)
+        upward -= dot(force.force, gravity_) / length(gravity_);
+    }
+    return upward >= 0.99 * cluster.mass * length(gravity_);
+  }
+
+  bool is_carried(const Cluster& cluster) const { return floats(cluster) || is_borne_by_loads(cluster); }
+
   void note_no_support(const std::vector<Cluster>& clusters) {
     const Cluster* lowest = nullptr;
     for (const Cluster& cluster : clusters) {
-      if (cluster.is_thrown || floats(cluster) || !falls_far(cluster)) continue;
+      if (cluster.is_thrown || is_carried(cluster) || !falls_far(cluster)) continue;
       if (!lowest || height(cluster) < height(*lowest)) lowest = &cluster;
     }
     if (!lowest) return;
