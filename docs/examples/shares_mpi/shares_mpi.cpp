@@ -1,0 +1,263 @@
+// Steps a world on many processes, with the bits of one: `mpirun -np 4 shares_mpi start.hsw 10000 end.hsw`.
+// Zoltan divides the blocks, MPI carries records and loads. See docs/concepts/shares.md.
+
+#include <halfspace/halfspace.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "division.h"
+#include "messages.h"
+
+namespace {
+
+using Bytes = std::vector<char>;
+using Keys = std::vector<std::int64_t>;
+
+/// Before the bytes of a block, in a message.
+struct Header {
+  std::int64_t key;
+  std::int32_t role;
+  std::int32_t owner;
+  std::uint64_t size;  // of its record; 0: the receiver has the block
+};
+
+/// The share of this rank. All ranks make the same calls.
+class Share {
+ public:
+  explicit Share(const Bytes &snapshot) : copies_here_(rank_count()), copies_there_(rank_count()) {
+    if (hs_context_create(nullptr, &context_) != HS_OK) fail("no memory");
+    check(hs_world_restore(context_, snapshot.data(), snapshot.size(), &world_));
+    assemble();
+    check(hs_world_begin(world_));
+    carry_loads();
+    check(hs_world_end_begin(world_));
+  }
+  ~Share() {
+    hs_world_destroy(world_);
+    hs_context_destroy(context_);
+  }
+  Share(const Share &) = delete;
+  Share &operator=(const Share &) = delete;
+
+  void step() {
+    hs_share_plan plan = planned();
+    if (plan.needs_list || plan.needs_assembly) {
+      assemble();
+      const bool needed_list = plan.needs_list;
+      plan = planned();
+      if (needed_list || plan.needs_list) {
+        check(hs_world_renew_list(world_, &plan));
+        plan = combined(plan);
+      }
+    }
+    if (plan.refusal != HS_OK) fail(hs_status_string(hs_status(plan.refusal)));
+    check(hs_world_move(world_));
+    carry_loads();
+    check(hs_world_end_step(world_));
+  }
+
+  /// A snapshot of the whole world, on rank 0.
+  Bytes joined() {
+    double own[HS_SUM_COUNT], all[HS_SUM_COUNT];
+    check(hs_world_get_sums(world_, own));
+    MPI_Reduce(own, all, HS_SUM_COUNT, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
+    std::vector<Bytes> sent(rank_count());
+    for (const std::int64_t key : keys_with(HS_ROLE_OWN))
+      append(sent[0], key, HS_ROLE_OWN, 0, rank() != 0, true);
+    const std::vector<Bytes> received = exchanged(sent);
+    if (rank() != 0) return {};
+    hs_world *whole = assembled(received);
+    check(hs_world_set_sums(whole, all));
+    std::size_t size = 0;
+    if (hs_world_save(whole, nullptr, 0, &size) < 0) fail(hs_context_last_error(context_));
+    Bytes bytes(size);
+    check(hs_world_save(whole, bytes.data(), size, &size));
+    hs_world_destroy(whole);
+    return bytes;
+  }
+
+ private:
+  void check(hs_status status) const {
+    if (status != HS_OK) fail(hs_context_last_error(context_));
+  }
+
+  static hs_share_plan combined(const hs_share_plan &own) {
+    const std::int32_t ours[] = {own.needs_list, own.needs_assembly, -own.refusal};
+    std::int32_t all[3];
+    MPI_Allreduce(ours, all, 3, MPI_INT32_T, MPI_MAX, MPI_COMM_WORLD);
+    return {all[0], all[1], -all[2], 0};
+  }
+  hs_share_plan planned() {
+    hs_share_plan own;
+    check(hs_world_plan_motion(world_, &own));
+    return combined(own);
+  }
+
+  /// A value per block, in the order of hs_world_get_blocks().
+  template <class T>
+  std::vector<T> all(hs_status (*get)(const hs_world *, T[], std::int64_t, std::int64_t *)) const {
+    std::int64_t count = 0;
+    (void)get(world_, nullptr, 0, &count);
+    std::vector<T> values(static_cast<std::size_t>(count));
+    check(get(world_, values.data(), count, &count));
+    return values;
+  }
+  Keys keys_with(std::int32_t role) const {
+    const std::vector<std::int32_t> roles = all(hs_world_get_roles);
+    Keys keys = all(hs_world_get_keys);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (roles[i] == role) keys[found++] = keys[i];
+    keys.resize(found);
+    return keys;
+  }
+
+  /// Own blocks. A block weighs as much as its record, which grows with its pairs.
+  std::vector<Place> own_places() {
+    std::vector<Place> places;
+    if (!is_divided_ && rank() != 0) return places;  // rank 0 has read the file
+    const std::vector<std::int32_t> roles = all(hs_world_get_roles);
+    const std::vector<hs_pose> poses = all(hs_world_get_poses);
+    const Keys keys = keys_with(HS_ROLE_OWN);
+    std::vector<std::size_t> ends(keys.size());
+    std::size_t size = 0;
+    (void)hs_world_pack(world_, keys.data(), std::int64_t(keys.size()), 0, nullptr, 0, ends.data(), &size);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+      if (roles[i] != HS_ROLE_OWN) continue;
+      const double *x = poses[i].position;
+      const std::size_t k = places.size();
+      places.push_back({keys[k], {x[0], x[1], x[2]}, float(ends[k] - (k > 0 ? ends[k - 1] : 0))});
+    }
+    return places;
+  }
+
+  /// Adds a block to a message.
+  void append(Bytes &message, std::int64_t key, std::int32_t role, int owner, bool with_record,
+              bool with_shape) {
+    std::size_t size = 0;
+    if (with_record) {
+      hs_status status =
+          hs_world_pack(world_, &key, 1, with_shape, record_.data(), record_.size(), nullptr, &size);
+      if (status == HS_NOTE_TRUNCATED) {
+        record_.resize(size);
+        status = hs_world_pack(world_, &key, 1, with_shape, record_.data(), size, nullptr, &size);
+      }
+      check(status);
+    }
+    const Header header{key, role, owner, size};
+    const char *const bytes = reinterpret_cast<const char *>(&header);
+    message.insert(message.end(), bytes, bytes + sizeof header);
+    message.insert(message.end(), record_.begin(), record_.begin() + std::ptrdiff_t(size));
+  }
+
+  /// A world of the blocks in the messages, and of what is everywhere.
+  hs_world *assembled(const std::vector<Bytes> &messages) {
+    std::vector<hs_packed> blocks;
+    for (const std::int64_t key : keys_with(HS_ROLE_EVERYWHERE))
+      blocks.push_back({key, nullptr, 0, HS_ROLE_EVERYWHERE, 0});
+    for (Keys &keys : copies_here_) keys.clear();
+    for (const Bytes &message : messages) {
+      for (std::size_t at = 0; at < message.size();) {
+        Header header;
+        std::memcpy(&header, message.data() + at, sizeof header);
+        at += sizeof header;
+        blocks.push_back(
+            {header.key, header.size > 0 ? message.data() + at : nullptr, header.size, header.role, 0});
+        at += header.size;
+        if (header.role == HS_ROLE_NEIGHBOR) copies_here_[std::size_t(header.owner)].push_back(header.key);
+      }
+    }
+    std::sort(blocks.begin(), blocks.end(),
+              [](const hs_packed &a, const hs_packed &b) { return a.key < b.key; });
+    hs_world *made = nullptr;
+    check(hs_world_assemble(context_, world_, blocks.data(), std::int64_t(blocks.size()), &made));
+    return made;
+  }
+
+  /// Divides the blocks anew.
+  void assemble() {
+    hs_share_info info;
+    check(hs_world_get_share_info(world_, &info, sizeof info));
+    load_length_ = std::size_t(info.load_length);
+    MPI_Allreduce(MPI_IN_PLACE, &info.halo, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    const std::vector<Place> places = own_places();
+    const std::vector<int> owners = division_.divide(places);
+    std::vector<Bytes> sent(rank_count());
+    const auto send = [&](int to, std::int64_t key, std::int32_t role, int owner) {
+      const Keys &known = copies_there_[std::size_t(to)];
+      const bool has_shape = !is_divided_ || std::binary_search(known.begin(), known.end(), key);
+      append(sent[std::size_t(to)], key, role, owner, to != rank(), !has_shape);
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      send(owners[i], places[i].key, HS_ROLE_OWN, owners[i]);
+      for (const int near : division_.ranks_near(places[i], info.halo))
+        if (near != owners[i]) send(near, places[i].key, HS_ROLE_NEIGHBOR, owners[i]);
+    }
+    hs_world *const next = assembled(exchanged(sent));
+    hs_world_destroy(world_);
+    world_ = next;
+    is_divided_ = true;
+    copies_there_ = exchanged(copies_here_);
+  }
+
+  /// Carries the loads of own blocks to the ranks that have copies of them.
+  void carry_loads() {
+    std::vector<std::vector<double>> sent(rank_count()), received(rank_count());
+    for (std::size_t r = 0; r < sent.size(); ++r) {
+      sent[r].resize(copies_there_[r].size() * load_length_);
+      received[r].resize(copies_here_[r].size() * load_length_);
+      check(hs_world_get_loads(world_, copies_there_[r].data(), std::int64_t(copies_there_[r].size()),
+                               sent[r].data()));
+    }
+    exchange(sent, received);
+    for (std::size_t r = 0; r < sent.size(); ++r)
+      check(hs_world_set_loads(world_, copies_here_[r].data(), std::int64_t(copies_here_[r].size()),
+                               received[r].data()));
+  }
+
+  hs_context *context_ = nullptr;
+  hs_world *world_ = nullptr;
+  bool is_divided_ = false;  // before, each rank has the whole world
+  Division division_;
+  std::vector<Keys> copies_here_;   // per rank that owns them
+  std::vector<Keys> copies_there_;  // per rank that has them: own blocks
+  std::size_t load_length_ = 0;
+  Bytes record_;
+};
+
+/// The bytes of a file, which rank 0 reads, on all ranks.
+Bytes broadcast_file(const char *name) {
+  Bytes bytes;
+  if (rank() == 0) {
+    std::ifstream file(name, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), {});
+    if (bytes.empty()) fail(std::string("cannot read ") + name);
+  }
+  std::int64_t size = std::int64_t(bytes.size());
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  bytes.resize(std::size_t(size));
+  MPI_Bcast(bytes.data(), int(size), MPI_BYTE, 0, MPI_COMM_WORLD);
+  return bytes;
+}
+
+void run(const char *from, std::int64_t steps, const char *to) {
+  Share share(broadcast_file(from));
+  for (std::int64_t i = 0; i < steps; ++i) share.step();
+  const Bytes end = share.joined();
+  if (rank() == 0 &&
+      !std::ofstream(to, std::ios::binary).write(end.data(), std::streamsize(end.size())).flush())
+    fail(std::string("cannot write ") + to);
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  float version = 0;
+  MPI_Init(&argc, &argv);
+  Zoltan_Initialize(argc, argv, &version);
+  if (argc != 4) fail("call it as shares_mpi START.hsw STEPS END.hsw");
+  run(argv[1], std::atoll(argv[2]), argv[3]);
+  MPI_Finalize();
+}
