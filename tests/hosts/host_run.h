@@ -37,21 +37,27 @@ struct Folder {
 };
 
 /// Runs a program on so many processes, more than there are processors.
-inline void run_on(int processes, const std::string& program) {
+inline void run_on(int processes, const std::string& program, const Folder& folder) {
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
-  const std::string command = HALFSPACE_MPIEXEC " " + std::to_string(processes) + " " + program;
-  INFO(command);
-  REQUIRE(std::system(command.c_str()) == 0);
+  const std::string output = folder.file("output");
+  const std::string command =
+      HALFSPACE_MPIEXEC " " + std::to_string(processes) + " " + program + " > " + output + " 2>&1";
+  const int status = std::system(command.c_str());
+  const Snapshot text = read_file(output);
+  INFO(command << '\n' << std::string(text.begin(), text.end()));
+  REQUIRE(status == 0);
 }
 
 /// Where a run of the example for MPI ends.
 inline Snapshot run_shares(const Snapshot& start, int processes, std::int64_t steps) {
   const Folder folder("halfspace_shares_mpi");
   write_file(folder.file("start.hsw"), start);
-  run_on(processes, HALFSPACE_HOST " " + folder.file("start.hsw") + " " + std::to_string(steps) + " " +
-                        folder.file("end.hsw"));
+  run_on(processes,
+         HALFSPACE_HOST " " + folder.file("start.hsw") + " " + std::to_string(steps) + " " +
+             folder.file("end.hsw"),
+         folder);
   return read_file(folder.file("end.hsw"));
 }
 
