@@ -36,8 +36,14 @@ struct Folder {
   std::string file(const std::string& name) const { return (path / name).string(); }
 };
 
+/// How a program has ended, and what it has printed.
+struct Ended {
+  bool is_success;
+  std::string output;
+};
+
 /// Runs a program on so many processes, more than there are processors.
-inline void run_on(int processes, const std::string& program, const Folder& folder) {
+inline Ended ended_on(int processes, const std::string& program, const Folder& folder) {
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
@@ -46,8 +52,13 @@ inline void run_on(int processes, const std::string& program, const Folder& fold
       HALFSPACE_MPIEXEC " " + std::to_string(processes) + " " + program + " > " + output + " 2>&1";
   const int status = std::system(command.c_str());
   const Snapshot text = read_file(output);
-  INFO(command << '\n' << std::string(text.begin(), text.end()));
-  REQUIRE(status == 0);
+  return {status == 0, {text.begin(), text.end()}};
+}
+
+inline void run_on(int processes, const std::string& program, const Folder& folder) {
+  const Ended ended = ended_on(processes, program, folder);
+  INFO(program << '\n' << ended.output);
+  REQUIRE(ended.is_success);
 }
 
 /// Where a run of the example for MPI ends.

@@ -25,13 +25,21 @@ class LammpsRun {
   }
   std::string file(const std::string& name) const { return folder_.file(name); }
 
-  void run(int processes, const std::string& script) const {
-    std::ofstream(folder_.file("script")) << script;
-    run_on(processes, HALFSPACE_HOST " -log none -in " + folder_.file("script"), folder_);
+  void run(int processes, const std::string& script) const { run_on(processes, program(script), folder_); }
+  /// Of a run that fails.
+  std::string error(const std::string& script) const {
+    const Ended ended = ended_on(2, program(script), folder_);
+    CHECK_FALSE(ended.is_success);
+    return ended.output;
   }
   Snapshot end() const { return read_file(folder_.file("end.hsw")); }
 
  private:
+  std::string program(const std::string& script) const {
+    std::ofstream(folder_.file("script")) << script;
+    return HALFSPACE_HOST " -log none -in " + folder_.file("script");
+  }
+
   bool is_plane_;
   Folder folder_;
 };

@@ -41,3 +41,34 @@ TEST_CASE("energies of LAMMPS add up to those of the whole world", "[hosts]") {
     CHECK(std::abs(found - value) <= 1e-12 * std::abs(total));
   }
 }
+
+TEST_CASE("fix halfspace refuses worlds, files and boxes that it cannot move", "[hosts]") {
+  const auto has = [](const std::string& output, const std::string& text) {
+    INFO(output);
+    CHECK(output.find(text) != std::string::npos);
+  };
+  const LammpsRun plane(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID), true);
+  const std::string fix = "fix blocks all halfspace ", start = plane.file("start.hsw"), run = "\nrun 1\n";
+  has(plane.error(plane.box() + fix + plane.file("none.hsw") + run), "cannot read " + plane.file("none.hsw"));
+  has(plane.error(plane.box() + fix + plane.file("script") + run), "hs_world_restore");
+  has(plane.error(plane.box() + fix + start + " keep" + run), "Illegal fix halfspace command");
+  has(plane.error(plane.box() + "group some empty\nfix blocks some halfspace " + start + run),
+      "its group is some");
+  const std::string far = "units si\ndimension 2\nboundary f f p\nregion box block 30 40 30 40 -0.5 0.5\n";
+  has(plane.error(far + "create_box 1 box\nmass 1 1\n" + fix + start + run), "of 80 blocks 0 are in the box");
+
+  const LammpsRun space(heap_in_space(laws_of_stiffness[0], HS_BLOCK_RIGID), false);
+  has(space.error(plane.box() + fix + space.file("start.hsw") + run),
+      "the world's dimension is 3, that of the box 2");
+  const std::string periodic = "units si\nboundary p s s\nregion box block -40 40 -40 40 -40 40\n";
+  has(space.error(periodic + "create_box 1 box\nmass 1 1\n" + fix + space.file("start.hsw") + run),
+      "boundaries that are not periodic");
+
+  hs_world_def asleep = world_def();
+  asleep.time_step = 1e-5;
+  asleep.sleep_tolerance = 1e-3;
+  Stage stage(asleep, law_of(laws_of_stiffness[0], 1e8, 0.5));
+  stage.add(stage.rectangle({0, 0}, {1, 1}), HS_BLOCK_RIGID);
+  const LammpsRun sleeping(saved(stage.world()), true);
+  has(sleeping.error(sleeping.box() + sleeping.fix() + run), "the world has sleep, which shares cannot hold");
+}
