@@ -100,6 +100,10 @@ void FixHalfspace::init() {
   if (report.dimension != domain->dimension)
     error->all(FLERR, "fix halfspace: the world's dimension is " + std::to_string(report.dimension) +
                           ", that of the box " + std::to_string(domain->dimension));
+  for (int i = 0; modify->fix[i] != this; ++i)
+    if (std::string(modify->fix[i]->style) == "balance")
+      error->all(FLERR,
+                 std::string("fix halfspace packs blocks before they migrate: put fix balance after it"));
   update->dt = report.time_step;
   neighbor->build_once = 1;
   load_length_ = std::size_t(share_->info().load_length);

@@ -54,6 +54,8 @@ TEST_CASE("fix halfspace refuses worlds, files and boxes that it cannot move", "
   has(plane.error(plane.box() + fix + start + " keep" + run), "Illegal fix halfspace command");
   has(plane.error(plane.box() + "group some empty\nfix blocks some halfspace " + start + run),
       "its group is some");
+  has(plane.error(plane.box() + "fix even all balance 500 1.0 rcb\n" + fix + start + run),
+      "put fix balance after it");
   const std::string far = "units si\ndimension 2\nboundary f f p\nregion box block 30 40 30 40 -0.5 0.5\n";
   has(plane.error(far + "create_box 1 box\nmass 1 1\n" + fix + start + run), "of 80 blocks 0 are in the box");
 
