@@ -185,6 +185,6 @@ TEST_CASE("a run goes on in another number of shares", "[shares]") {
     for (int i = 0; i < 1500; ++i) second.step();
     const World joined = second.joined();
     CHECK(first_difference(second.context(), joined.get(), context.get(), whole.get()) == "none");
-    check_sums(second, whole.get());
+    check_sums(second.sums(), whole.get());
   }
 }
