@@ -769,7 +769,7 @@ module halfspace_c
     type(c_ptr) :: bytes = c_null_ptr  !< from hs_world_pack(); NULL: as `from` has it, of which the block is its own or everywhere
     integer(c_size_t) :: size = 0  !< of the bytes; 0 if they are NULL
     integer(c_int32_t) :: role = 0  !< an HS_ROLE_ value
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_packed
 
   !> A share, and how far its copies must reach.
@@ -800,7 +800,7 @@ module halfspace_c
     !! its radius, turns by more than 1 rad, or approaches another so fast that the step would be divided;
     !! HS_ERROR_UNSTABLE, the motion is not finite
     integer(c_int32_t) :: refusal = 0
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_share_plan
 
   !> Settings of the search for the factor of safety. Fill it with hs_strength_def_init().

@@ -949,7 +949,7 @@ class hs_packed(Structure):
         ("bytes", c_void_p),
         ("size", c_size_t),  # of the bytes; 0 if they are NULL
         ("role", c_int32),  # an HS_ROLE_ value
-        ("reserved", c_int32),  # 
+        ("reserved", c_int32),  # 0
     ]
 
 
@@ -986,7 +986,7 @@ class hs_share_plan(Structure):
         # than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
         # divided; HS_ERROR_UNSTABLE, the motion is not finite
         ("refusal", c_int32),
-        ("reserved", c_int32),  # 
+        ("reserved", c_int32),  # 0
     ]
 
 

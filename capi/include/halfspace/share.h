@@ -46,7 +46,7 @@ typedef struct hs_packed {
                           everywhere */
   size_t size;       /**< of the bytes; 0 if they are NULL */
   int32_t role;      /**< an HS_ROLE_ value */
-  int32_t reserved;
+  int32_t reserved; /**< 0 */
 } hs_packed;
 
 /** A share, and how far its copies must reach. */
@@ -74,7 +74,7 @@ typedef struct hs_share_plan {
                                block moves by more than its radius, turns by more than 1 rad, or approaches
                                another so fast that the step would be divided; HS_ERROR_UNSTABLE, the motion is
                                not finite */
-  int32_t reserved;
+  int32_t reserved; /**< 0 */
 } hs_share_plan;
 
 /** @brief Names the blocks, so that loads are summed in the same order in all shares. By default a block's key

@@ -1322,6 +1322,7 @@ pub struct hs_packed {
     pub size: usize,
     /// an HS_ROLE_ value
     pub role: i32,
+    /// 0
     pub reserved: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_packed>() == 32);
@@ -1364,6 +1365,7 @@ pub struct hs_share_plan {
     /// than its radius, turns by more than 1 rad, or approaches another so fast that the step would be
     /// divided; HS_ERROR_UNSTABLE, the motion is not finite
     pub refusal: i32,
+    /// 0
     pub reserved: i32,
 }
 const _: () = assert!(std::mem::size_of::<hs_share_plan>() == 16);
