@@ -64,7 +64,9 @@ void draw_forces(Svg& svg, const Plot& plot, const Frame& frame) {
     }
   }
   svg.end_clip();
-  svg.label({plot.right(), plot.bottom() + 44},
+  // Below the title of the axis where the plot is too narrow for both.
+  const double down = plot.width < 700 ? 55 : 44;
+  svg.label({plot.right(), plot.bottom() + down},
             "widest line: " + rounded(largest, 3) + " N per metre of thickness", 12, "end");
 }
 
