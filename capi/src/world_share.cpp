@@ -212,13 +212,15 @@ hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, in
     snapshot::Writer counter(nullptr);
     for_each_record([&](std::int64_t) { counter(record); });
     *needed = counter.size();
-    if (counter.size() > capacity) return HS_NOTE_TRUNCATED;
-    snapshot::Writer writer(static_cast<std::byte*>(bytes));  // from here on the record has all its memory
+    const bool fits = counter.size() <= capacity;
+    if (!fits && !ends) return HS_NOTE_TRUNCATED;
+    // From here on the record has all its memory. Without room only the ends are written.
+    snapshot::Writer writer(fits ? static_cast<std::byte*>(bytes) : nullptr);
     for_each_record([&](std::int64_t i) {
       writer(record);
       if (ends) ends[i] = writer.size();
     });
-    return HS_OK;
+    return fits ? HS_OK : HS_NOTE_TRUNCATED;
   });
 }
 

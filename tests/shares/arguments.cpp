@@ -139,6 +139,18 @@ TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   CHECK(row.assemble({part(10, HS_ROLE_EVERYWHERE), part(30, HS_ROLE_OWN)}) == HS_OK);
 }
 
+TEST_CASE("records tell where they end before there is room for them", "[shares]") {
+  const Row row;
+  const std::vector<std::int64_t> keys = {3, 1, 2};
+  const Records records = packed(row.context.get(), row.world.get(), keys, false);
+  std::vector<std::size_t> ends(keys.size());
+  std::size_t needed = 0;
+  CHECK(hs_world_pack(row.world.get(), keys.data(), 3, 0, nullptr, 0, ends.data(), &needed) ==
+        HS_NOTE_TRUNCATED);
+  CHECK(needed == records.bytes.size());
+  CHECK(ends == records.ends);
+}
+
 TEST_CASE("damaged records are refused", "[shares]") {
   const Row row;
   require_ok(hs_world_begin(row.world.get()), row.context.get());

@@ -2293,7 +2293,7 @@ module halfspace_c
     !> Packs blocks, one after the other: their motion, their entries in the list of pairs, and the memory of
     !! their pairs, in the machine's format of numbers. Only a block's own share packs it, or any for blocks
     !! that are everywhere.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED (then only `needed` is written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
+    !! Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
     !! (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_pack(world, keys, count, with_shapes, bytes, capacity, ends, needed) bind(c)
       import

@@ -116,7 +116,7 @@ HS_CHECKED hs_status hs_world_get_share_info(hs_world *world, hs_share_info *inf
  *  @param capacity in bytes
  *  @param ends receives, per key, where its bytes end; may be NULL
  *  @param needed receives the number of bytes of all blocks
- *  @return HS_OK, HS_NOTE_TRUNCATED (then only `needed` is written), HS_ERROR_ARGUMENT,
+ *  @return HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT,
  *          HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_t count, int32_t with_shapes,
                                    void *bytes, size_t capacity, size_t ends[], size_t *needed);

@@ -3162,7 +3162,7 @@ extern "C" {
     /// - `ends`: receives, per key, where its bytes end; may be NULL
     /// - `needed`: receives the number of bytes of all blocks
     ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED (then only `needed` is written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
     /// (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_pack(
         world: *mut hs_world,
