@@ -121,15 +121,22 @@ double Share::halo() const {
   return halo;
 }
 
+Bytes Share::packed_own(const Keys& own, std::vector<std::size_t>& ends) const {
+  const std::int64_t count = std::int64_t(own.size());
+  ends.resize(own.size());
+  std::size_t size = 0;
+  (void)hs_world_pack(world_, own.data(), count, 1, nullptr, 0, nullptr, &size);
+  Bytes bytes(size);
+  check(hs_world_pack(world_, own.data(), count, 1, bytes.data(), size, ends.data(), &size));
+  return bytes;
+}
+
 std::size_t Share::pack() {
   if (is_divided_ && records_.empty()) {
     const Keys own = keys_with(HS_ROLE_OWN);
-    const std::int64_t count = std::int64_t(own.size());
-    std::vector<std::size_t> ends(own.size());
-    std::size_t size = 0, begin = 0;
-    (void)hs_world_pack(world_, own.data(), count, 1, nullptr, 0, nullptr, &size);
-    Bytes bytes(size);
-    check(hs_world_pack(world_, own.data(), count, 1, bytes.data(), size, ends.data(), &size));
+    std::vector<std::size_t> ends;
+    const Bytes bytes = packed_own(own, ends);
+    std::size_t begin = 0;
     for (std::size_t i = 0; i < own.size(); begin = ends[i++]) {
       const std::size_t length = ends[i] - begin;
       Record record(1 + (length + sizeof(double) - 1) / sizeof(double));
@@ -186,12 +193,8 @@ Bytes Share::joined() const {
   hs_world* whole = world_;
   if (is_divided_) {
     const Keys own = keys_with(HS_ROLE_OWN);
-    std::vector<std::size_t> ends(own.size());
-    std::size_t size = 0;
-    (void)hs_world_pack(world_, own.data(), std::int64_t(own.size()), 1, nullptr, 0, nullptr, &size);
-    Bytes bytes(size);
-    check(hs_world_pack(world_, own.data(), std::int64_t(own.size()), 1, bytes.data(), size, ends.data(),
-                        &size));
+    std::vector<std::size_t> ends;
+    const Bytes bytes = packed_own(own, ends);
     for (std::size_t i = ends.size(); i-- > 1;) ends[i] -= ends[i - 1];  // lengths
     const Keys keys = gathered(own, world);
     const std::vector<std::size_t> lengths = gathered(ends, world);

@@ -46,10 +46,10 @@ class Share : protected LAMMPS_NS::Pointers {
   /// Ends the run with the text of the last error.
   void check(hs_status status) const;
 
-  /// What the processes need together. `is_stale`: this one has to be assembled.
+  /// The plan of all processes together. `is_stale`: this one has to be assembled.
   hs_share_plan planned(bool is_stale = false);
   hs_share_plan with_new_list();
-  /// As far as copies must reach, over all processes, m.
+  /// The distance that copies must reach, over all processes, m.
   double halo() const;
 
   /// Packs own blocks for an assembly, unless they have been packed since the last one. Returns the length of
@@ -66,6 +66,8 @@ class Share : protected LAMMPS_NS::Pointers {
 
  private:
   static hs_share_plan combined(const hs_share_plan& own, MPI_Comm world);
+  /// The records of own blocks, one after the other, and where each ends.
+  Bytes packed_own(const Keys& own, std::vector<std::size_t>& ends) const;
   hs_world* assembled(std::vector<hs_packed> blocks) const;
   void look_at_blocks();
 
