@@ -50,8 +50,8 @@ std::int32_t load_length_of(const World<D>& w) {
 template <int D, class IsRight>
 std::size_t slot_of_key(const World<D>& w, const std::int64_t keys[], std::int64_t i, const char* wanted,
                         IsRight is_right) {
-  const std::int32_t slot = w.share().slot_of(keys[i], w.blocks().slot_count());
-  if (slot < 0 || !w.blocks().lives(std::size_t(slot)) || !is_right(role_of(w, std::size_t(slot)))) {
+  const std::int32_t slot = w.living_slot_of(keys[i]);
+  if (slot < 0 || !is_right(role_of(w, std::size_t(slot)))) {
     refuse(HS_ERROR_STALE_ID, "keys[%lld] is %lld; no %s has that key", static_cast<long long>(i),
            static_cast<long long>(keys[i]), wanted);
   }
@@ -310,7 +310,7 @@ hs_status hs_world_move(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_piece(w.share().stage() == ShareStage::planned && !w.is_changed(), "hs_world_plan_motion()");
     require_piece(!w.candidates().needs_rebuild(), "hs_world_renew_list()");
-    w.move_in_share();
+    w.move_and_load();
     w.share().enter(ShareStage::moved);
     return HS_OK;
   });

@@ -70,7 +70,7 @@ struct Relaxed {
   Balance balance;
 };
 
-/// What the next motion of a share needs.
+/// The needs of the next motion of a share.
 struct SharedMotion {
   StepResult result = StepResult::ok;  // too_fast: it would have to be divided
   bool needs_list = false;             // blocks may meet others that are not in the list in use
@@ -189,6 +189,8 @@ class World {
   /// Names the living blocks, in ascending order.
   void set_keys(std::span<const std::int64_t> keys);
   const Share& share() const { return share_; }
+  /// The slot of the block with a key; -1: none.
+  std::int32_t living_slot_of(std::int64_t key) const;
   /// The record of a block, from which assemble() makes it in another world.
   void record(std::size_t slot, bool with_outline, BlockRecord<D>& out);
   /// Makes this new and empty world one of the given blocks, in ascending order of keys.
@@ -200,7 +202,7 @@ class World {
   /// with the loads of copies set, the velocities at its end.
   SharedMotion plan_in_share();
   SharedMotion renew_list_in_share();
-  void move_in_share();
+  void move_and_load();
   void end_step_in_share();
   /// Replaces the loads of a copy's contacts by those that its owner has computed. `virial`: of an affine
   /// one.
@@ -343,11 +345,9 @@ class World {
   StepResult diverged() const;
   StepResult load_changed();
   void move();
-  void move_and_load();
   void end_motion();
   AssemblyFault::Kind read_record(World& from, const PackedBlock& block, std::int32_t known,
                                   BlockRecord<D>& out);
-  std::int32_t living_slot_of(std::int64_t key) const;
   Share::Common common_of_shares();
   AssemblyFault take_blocks(World& from, std::span<const PackedBlock> blocks, CarriedPairs<D>& pairs);
   void take_pairs(const World& from, const CarriedPairs<D>& pairs);

@@ -65,11 +65,6 @@ SharedMotion World<D>::renew_list_in_share() {
 }
 
 template <int D>
-void World<D>::move_in_share() {
-  move_and_load();
-}
-
-template <int D>
 void World<D>::end_step_in_share() {
   end_motion();
   clock_.complete_step();
@@ -105,7 +100,6 @@ double World<D>::halo() {
   template StepResult World<D>::division_in_share();                                                     \
   template SharedMotion World<D>::plan_in_share();                                                       \
   template SharedMotion World<D>::renew_list_in_share();                                                 \
-  template void World<D>::move_in_share();                                                               \
   template void World<D>::end_step_in_share();                                                           \
   template void World<D>::set_loads(std::size_t, const Vector<D>&, const Angular<D>&, const Tensor<D>&); \
   template double World<D>::halo();
