@@ -1,4 +1,4 @@
-// What it costs to cut a world into shares: the work of all shares over that of the plain world, copies, and
+// The cost of cutting a world into shares: the work of all shares over that of the plain world, copies, and
 // bytes. One process does all in turn, so that the figures hold for a machine without its network.
 
 #include <cstdio>

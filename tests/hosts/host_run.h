@@ -36,7 +36,7 @@ struct Folder {
   std::string file(const std::string& name) const { return (path / name).string(); }
 };
 
-/// How a program has ended, and what it has printed.
+/// The end of a program: success, and its output.
 struct Ended {
   bool is_success;
   std::string output;
@@ -61,7 +61,7 @@ inline void run_on(int processes, const std::string& program, const Folder& fold
   REQUIRE(ended.is_success);
 }
 
-/// Where a run of the example for MPI ends.
+/// The snapshot at the end of a run of the example for MPI.
 inline Snapshot run_shares(const Snapshot& start, int processes, std::int64_t steps) {
   const Folder folder("halfspace_shares_mpi");
   write_file(folder.file("start.hsw"), start);

@@ -26,7 +26,7 @@ class LammpsRun {
   std::string file(const std::string& name) const { return folder_.file(name); }
 
   void run(int processes, const std::string& script) const { run_on(processes, program(script), folder_); }
-  /// Of a run that fails.
+  /// The output of a run that fails.
   std::string error(const std::string& script) const {
     const Ended ended = ended_on(2, program(script), folder_);
     CHECK_FALSE(ended.is_success);

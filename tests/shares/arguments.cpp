@@ -2,7 +2,7 @@
 #include "capi/refusals.h"
 #include "shares/compare.h"
 
-// What shares refuse, and what they tell a host whose copies do not reach far enough.
+// Refusals of shares, and their report to a host whose copies do not reach far enough.
 
 using namespace halfspace_test;
 

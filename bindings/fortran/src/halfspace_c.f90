@@ -175,7 +175,7 @@ module halfspace_c
   !> largest ratio of a single block or node; for negligible forces relative to the mean force
   integer(c_int32_t), parameter :: HS_UNBALANCED_LARGEST = 1
 
-  !> What a block is in a share.
+  !> The role of a block in a share.
   integer(c_int32_t), parameter :: HS_ROLE_OWN = 0  !< this share loads, counts and packs it
   integer(c_int32_t), parameter :: HS_ROLE_NEIGHBOR = 1  !< a copy: it moves alike, and its loads come from the share that owns it
   integer(c_int32_t), parameter :: HS_ROLE_EVERYWHERE = 2  !< fixed and prescribed blocks: in all shares, without loads of their own
@@ -788,7 +788,7 @@ module halfspace_c
     real(c_double) :: halo = 0.0_c_double
   end type hs_share_info
 
-  !> What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+  !> The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
   !! first two, and the minimum of `refusal`.
   type, bind(c) :: hs_share_plan
     !> 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and

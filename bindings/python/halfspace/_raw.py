@@ -188,7 +188,7 @@ HS_UNBALANCED_MEAN = 0
 # largest ratio of a single block or node; for negligible forces relative to the mean force
 HS_UNBALANCED_LARGEST = 1
 
-# What a block is in a share.
+# The role of a block in a share.
 HS_ROLE_OWN = 0  # this share loads, counts and packs it
 HS_ROLE_NEIGHBOR = 1  # a copy: it moves alike, and its loads come from the share that owns it
 HS_ROLE_EVERYWHERE = 2  # fixed and prescribed blocks: in all shares, without loads of their own
@@ -973,7 +973,7 @@ class hs_share_info(Structure):
 
 
 class hs_share_plan(Structure):
-    """What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+    """The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
     first two, and the minimum of `refusal`."""
 
     _fields_ = [

@@ -193,7 +193,7 @@ class Unbalanced(IntEnum):
 
 
 class Role(IntEnum):
-    """What a block is in a share."""
+    """The role of a block in a share."""
 
     OWN = _raw.HS_ROLE_OWN  # this share loads, counts and packs it
     NEIGHBOR = _raw.HS_ROLE_NEIGHBOR  # a copy: it moves alike, and its loads come from the share that owns it

@@ -987,7 +987,7 @@ SHARE_INFO = record_type(ShareInfo, _raw.hs_share_info)
 
 
 class SharePlan(Record):
-    """What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+    """The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
     first two, and the minimum of `refusal`.
 
     Attributes

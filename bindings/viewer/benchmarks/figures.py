@@ -73,7 +73,7 @@ PLAYED = "await viewer.player.goTo((viewer.frame.number + 1) % viewer.recording.
 
 
 def processor_seconds(process):
-    """Of a process and those that it has begun."""
+    """Processor seconds of a process and those that it has begun."""
     below, seconds = {}, {}
     for path in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:

@@ -28,7 +28,7 @@ class OverlayPart {
   }
 }
 
-/** What is written above the picture. A saved picture contains it, too. */
+/** The texts above the picture. A saved picture contains it, too. */
 class Overlay {
   constructor(parent) {
     this.time = new OverlayPart(parent, (width) => [0, 0, width, 60], drawTime);

@@ -29,7 +29,7 @@
 extern "C" {
 #endif
 
-/** What a block is in a share. */
+/** The role of a block in a share. */
 enum {
   HS_ROLE_OWN = 0,       /**< this share loads, counts and packs it */
   HS_ROLE_NEIGHBOR = 1,  /**< a copy: it moves alike, and its loads come from the share that owns it */
@@ -63,7 +63,7 @@ typedef struct hs_share_info {
                     after hs_world_plan_motion() */
 } hs_share_info;
 
-/** What the coming motion needs. The host combines the plans of all shares by the maximum of each of the first
+/** The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the first
  *  two, and the minimum of `refusal`. */
 typedef struct hs_share_plan {
   int32_t needs_list;     /**< 1: blocks may meet others that are not in the list of pairs: all shares are

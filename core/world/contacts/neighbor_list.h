@@ -40,7 +40,7 @@ struct SkinRule {
   double typical_radius = 0;  // larger blocks have the skin of one of this radius; 0: the median
 };
 
-/// What the list in use keeps of a block.
+/// The data of a block in the list in use.
 template <int D>
 struct ListEntry {
   Vector<D> position = Vector<D>::Zero();  // at the last search, as the rotation and the gradient

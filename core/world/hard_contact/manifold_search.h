@@ -73,7 +73,7 @@ class ManifoldSearch {
   const Blocks<D>& blocks_;
   const ContactList<D>& contacts_;
   const Integrator<D>& integrator_;
-  // Of each block up to the last one that moves. The others stay.
+  // Both arrays end at the last block that moves. The others stay.
   Array<PosedBlock<D>> ahead_;  // at the end of the motion, by its velocity now
   Array<double> allowance_;     // m
 };

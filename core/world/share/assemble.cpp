@@ -86,7 +86,7 @@ AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& blo
                                                                 : AssemblyFault::wrong_role;
 }
 
-/// What all shares of this world, or of that of which it is a share, have in common.
+/// The common properties of all shares of this world, or of the world of which it is a share.
 template <int D>
 Share::Common World<D>::common_of_shares() {
   if (!share_.is_whole()) return share_.common();

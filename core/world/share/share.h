@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// What a block is in a share of a world. The values are those of the C API.
+/// The role of a block in a share of a world. The values are those of the C API.
 enum class ShareRole : std::int32_t {
   own = 0,        // this share loads it and counts its energy
   neighbor = 1,   // a copy: it moves alike, and its loads come from the share that owns it
@@ -82,7 +82,7 @@ class Share {
     keys_.push_back(key);
     roles_.push_back(role);
   }
-  /// What all shares of a world have in common.
+  /// Properties that all shares of a world have in common.
   struct Common {
     std::int64_t blocks = 0;     // of all shares, copies not counted
     std::int64_t first_key = 0;  // of the free blocks

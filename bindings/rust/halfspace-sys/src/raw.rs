@@ -267,7 +267,7 @@ pub const HS_UNBALANCED_MEAN: i32 = 0;
 /// largest ratio of a single block or node; for negligible forces relative to the mean force
 pub const HS_UNBALANCED_LARGEST: i32 = 1;
 
-// What a block is in a share.
+// The role of a block in a share.
 /// this share loads, counts and packs it
 pub const HS_ROLE_OWN: i32 = 0;
 /// a copy: it moves alike, and its loads come from the share that owns it
@@ -1351,7 +1351,7 @@ pub struct hs_share_info {
 }
 const _: () = assert!(std::mem::size_of::<hs_share_info>() == 48);
 
-/// What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+/// The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
 /// first two, and the minimum of `refusal`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]

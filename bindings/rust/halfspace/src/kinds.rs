@@ -183,7 +183,7 @@ constants! {
 }
 
 constants! {
-    /// What a block is in a share.
+    /// The role of a block in a share.
     Role {
         /// this share loads, counts and packs it
         Own = HS_ROLE_OWN,

@@ -934,7 +934,7 @@ impl From<sys::hs_share_info> for ShareInfo {
     }
 }
 
-/// What the coming motion needs. The host combines the plans of all shares by the maximum of each of the
+/// The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
 /// first two, and the minimum of `refusal`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]

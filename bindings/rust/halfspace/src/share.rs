@@ -19,7 +19,7 @@ pub type Sums = [f64; sys::HS_SUM_COUNT as usize];
 pub struct Packed<'a> {
     /// Name of the block in all shares.
     pub key: i64,
-    /// What the block is in the share.
+    /// The role of the block in the share.
     pub role: Role,
     /// From [`World::pack`] of the share that owns the block; `None`: as the world that assembles the
     /// share has it, of which the block is its own or everywhere.
