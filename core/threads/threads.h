@@ -111,4 +111,18 @@ void sum_each_chunk(Threads* threads, std::size_t things, std::size_t per_chunk,
   });
 }
 
+/// The largest of `least` and the values `of(i)` of all things of an array.
+template <class Of>
+double max_of_each(Threads* threads, std::size_t things, std::size_t per_chunk, double least, Of of) {
+  std::atomic<double> largest = least;
+  for_each_chunk(threads, things, per_chunk, [&](const Chunk& chunk) {
+    double here = least;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) here = std::max(here, of(i));
+    double seen = largest;
+    while (here > seen && !largest.compare_exchange_weak(seen, here)) {
+    }
+  });
+  return largest;
+}
+
 }  // namespace halfspace

@@ -12,7 +12,7 @@ template <int D>
 World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threads)
     : threads_(threads),
       model_(settings, memory),
-      contacts_(model_, memory),
+      contacts_(model_, threads, memory),
       forces_(model_, contacts_, threads, memory),
       share_(memory),
       bond_pass_(model_),
@@ -48,6 +48,7 @@ template <int D>
 void World<D>::end_reading() {
   model_.actions.renew(model_.blocks);
   model_.viscous_nodes.renew(model_.blocks.meshes());
+  integrator_.reserve(model_.blocks.slot_count());
   fit_rooms();
 }
 
@@ -301,18 +302,16 @@ void World<D>::evaluate_forces_for_host(double elapsed) {
 
 template <int D>
 double World<D>::largest_overlap() const {
-  double overlap = hard_contacts_.rigid().largest_overlap();
-  for (std::size_t c = 0; c < contact_count(); ++c) overlap = std::max(overlap, -contact(c).gap);
-  return overlap;
+  return max_of_each(threads_, contact_count(), pairs_per_chunk, hard_contacts_.rigid().largest_overlap(),
+                     [&](std::size_t c) { return -contact(c).gap; });
 }
 
 template <int D>
 double World<D>::largest_speed() const {
-  double squared = 0;
-  for (std::size_t i = 0; i < blocks().slot_count(); ++i) {
-    if (blocks().moves_freely(i) && !blocks().is_part(i))
-      squared = std::max(squared, blocks().velocity[i].squaredNorm());
-  }
+  const double squared =
+      max_of_each(threads_, blocks().slot_count(), blocks_per_chunk, 0, [&](std::size_t i) {
+        return blocks().moves_freely(i) && !blocks().is_part(i) ? blocks().velocity[i].squaredNorm() : 0;
+      });
   return std::sqrt(squared);
 }
 

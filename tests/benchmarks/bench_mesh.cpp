@@ -35,8 +35,10 @@ constexpr Plan quick_plan{200, 2e3, 50, 6, 1e4};
 
 class MeshWorld {
  public:
-  explicit MeshWorld(int dimension, int32_t stiffness_kind = HS_STIFFNESS_PER_AREA) : dimension_(dimension) {
-    const hs_context_def context_def = memory_.definition();
+  explicit MeshWorld(int dimension, int32_t stiffness_kind = HS_STIFFNESS_PER_AREA, int threads = 1)
+      : dimension_(dimension) {
+    hs_context_def context_def = memory_.definition();
+    context_def.threads = threads;
     context_ = halfspace_test::make_context(&context_def);
     hs_world_def def;
     hs_world_def_init(&def, sizeof def, dimension);
@@ -138,10 +140,15 @@ int cells_of_a_brick(int32_t kind) {
 }
 
 /// A body of 1 m along each side.
-void time_cantilever(int32_t kind, double wanted_cells, const Plan& plan) {
+MeshWords cube_of(int32_t kind, double wanted_cells) {
   const int dimension = halfspace_test::dimension_of(kind);
   const int n = int(std::lround(std::pow(wanted_cells / cells_of_a_brick(kind), 1. / dimension)));
-  const MeshWords words = brick(dimension, {1, 1, 1}, {n, n, n}, [&](int) { return kind; });
+  return brick(dimension, {1, 1, 1}, {n, n, n}, [&](int) { return kind; });
+}
+
+void time_cantilever(int32_t kind, double wanted_cells, const Plan& plan) {
+  const int dimension = halfspace_test::dimension_of(kind);
+  const MeshWords words = cube_of(kind, wanted_cells);
   MeshWorld world(dimension);
   const std::int64_t empty = world.memory().live();
   world.add_cantilever(words);
@@ -203,6 +210,22 @@ void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan
   std::fflush(stdout);
 }
 
+void run_threads(const Plan& plan, int threads) {
+  for (const int32_t kind : halfspace_test::all_cell_kinds) {
+    const MeshWords words = cube_of(kind, plan.large);
+    const int dimension = halfspace_test::dimension_of(kind);
+    MeshWorld one(dimension), several(dimension, HS_STIFFNESS_PER_AREA, threads);
+    for (MeshWorld* world : {&one, &several}) {
+      world->add_cantilever(words);
+      world->step(2);
+    }
+    const int steps = std::max(2, int(plan.cell_steps / one.cells()));
+    std::printf("%-10s ", halfspace_test::name_of_cell(kind));
+    print_speed_up(
+        one.cells(), "cells", threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
+  }
+}
+
 void run_all(const Plan& plan) {
   std::printf("%-10s %7s %7s %8s %8s %8s %8s %8s %8s %7s\n", "a body of", "", "", "surface", "1e6 cell", "",
               "ns/cell-", "B/cell", "B/node", "steady");
@@ -222,9 +245,15 @@ void run_all(const Plan& plan) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  std::printf("libhalfspace %s, core %d\n", hs_version(), pin_to_this_core());
+  const Plan plan = has_option(argc, argv, "--quick") ? quick_plan : full_plan;
+  const int threads = threads_option(argc, argv);
+  std::printf("libhalfspace %s, core %d\n", hs_version(), threads > 0 ? -1 : pin_to_this_core());
   try {
-    run_all(has_option(argc, argv, "--quick") ? quick_plan : full_plan);
+    if (threads > 0) {
+      run_threads(plan, threads);
+    } else {
+      run_all(plan);
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_mesh: %s\n", error.what());
     return 1;

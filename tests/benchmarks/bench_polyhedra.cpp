@@ -170,7 +170,7 @@ void compare_threads(const Bin& bin, int bins, const Plan& plan, int threads) {
   one.step(std::max(steps, 200));
   several.step(std::max(steps, 200));
   print_speed_up(
-      blocks, threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
+      blocks, "blocks", threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
 }
 
 void time_steps(const Bin& bin, int bins, const Plan& plan) {

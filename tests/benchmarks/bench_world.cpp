@@ -96,7 +96,7 @@ void run_threads(const Plan& plan, int threads) {
     one.step(steps);
     several.step(steps);
     print_speed_up(
-        blocks, threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
+        blocks, "blocks", threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
   }
 }
 

@@ -62,7 +62,7 @@ class Passes {
 /// Prints the wall time of work on one thread over that of the same on several: minima of passes that take
 /// turns, so that both see the machine as busy as it is.
 template <class OnOne, class OnSeveral>
-void print_speed_up(double blocks, int threads, int passes, OnOne&& on_one, OnSeveral&& on_several) {
+void print_speed_up(double count, const char* of_what, int threads, int passes, OnOne&& on_one, OnSeveral&& on_several) {
   const auto wall_seconds_of = [](auto&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
@@ -73,7 +73,7 @@ void print_speed_up(double blocks, int threads, int passes, OnOne&& on_one, OnSe
     one.add(wall_seconds_of(on_one));
     several.add(wall_seconds_of(on_several));
   }
-  std::printf("%8.0f blocks: %d threads are %.2f times as fast as one\n", blocks, threads,
+  std::printf("%8.0f %s: %d threads are %.2f times as fast as one\n", count, of_what, threads,
               one.minimum() / several.minimum());
   std::fflush(stdout);
 }

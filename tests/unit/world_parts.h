@@ -52,7 +52,7 @@ struct WorldParts {
   Model<D> model;
   Blocks<D>& blocks = model.blocks;
   Clock clock;
-  ContactList<D> contacts{model, memory};
+  ContactList<D> contacts{model, nullptr, memory};
   NeighborList<D>& neighbors = contacts.neighbors();
   ForcePass<D> forces{model, contacts, nullptr, memory};
   Sleep<D> sleep{memory};

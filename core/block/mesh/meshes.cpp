@@ -65,6 +65,7 @@ std::int32_t Meshes<D>::add(const Mesh<D>& mesh, const Pose<D>& pose,
   body.first_node = std::int64_t(first);
   body.node_count = std::int64_t(mesh.nodes.size());
   body.cell_count = std::int64_t(mesh.cell_count());
+  ++edits_;
   bodies_.push_back(body);
   try {
     for (Array<Vector<D>>* vectors : {&velocity, &force, &applied_force})
@@ -116,6 +117,7 @@ template <int D>
 void Meshes<D>::remove(std::int32_t which) {
   Body<D>& gone = bodies_[std::size_t(which)];
   const std::int64_t first = gone.first_node, count = gone.node_count;
+  ++edits_;
   const auto is_gone = [&](const auto& part) { return part.body == which; };
   const auto renumber = [&](auto& part) {
     for (std::int32_t& node : part.node) {
@@ -161,6 +163,7 @@ template <int D>
 void Meshes<D>::remove_cells(std::int32_t which, const Array<std::uint8_t>& is_gone,
                              const BulkMaterials& materials) {
   const auto goes = [&](const auto& part) { return part.body == which && is_gone[std::size_t(part.cell)]; };
+  ++edits_;
   std::apply([&](auto&... kind) { (std::erase_if(kind, goes), ...); }, elements_);
   std::erase_if(surface_, goes);
   std::sort(surface_.begin(), surface_.end(), [](const SurfaceCell<D>& a, const SurfaceCell<D>& b) {

@@ -128,6 +128,14 @@ class Meshes {
   /// Updates what elements have computed from their materials.
   void renew_elasticity(const BulkMaterials& materials);
 
+  /// Grows when elements are added or removed. Not saved.
+  std::int64_t edits() const { return edits_; }
+
+  /// Calls visit(elements) for the array of each kind, in order.
+  template <class Visit>
+  void for_each_kind(Visit visit) const {
+    std::apply([&](const auto&... kind) { (visit(kind), ...); }, elements_);
+  }
   /// Calls visit(element) for all elements, in order.
   template <class Visit>
   void for_each_element(Visit&& visit) {
@@ -229,6 +237,7 @@ class Meshes {
                       const Elasticity& elasticity);
 
   Elements<D> elements_;
+  std::int64_t edits_ = 0;
   Array<Body<D>> bodies_;
   Array<SurfaceCell<D>> surface_;  // sorted by body, then by cell
   Array<std::int32_t> of_block_;   // index in surface_, or -1; ends at the last surface block

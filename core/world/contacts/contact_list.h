@@ -36,9 +36,9 @@ struct PairSums {
 template <int D>
 class ContactList {
  public:
-  ContactList(Model<D>& model, Memory* memory)
+  ContactList(Model<D>& model, Threads* threads, Memory* memory)
       : model_(model),
-        neighbors_(memory),
+        neighbors_(threads, memory),
         touching_(memory),
         found_in_chunks_(memory),
         met_in_chunks_(memory),

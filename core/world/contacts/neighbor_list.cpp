@@ -18,11 +18,23 @@ bool knows_its_plan(const Candidate<3>& pair, const CachedDivisions& plans, cons
   return !pair.plan.knows() || is_plan(plans[pair.plan], a, b);
 }
 
+/// Blocks or pairs that a worker processes at a time.
+constexpr std::size_t things_per_chunk = 256;
+
+/// Instead of the first block of a pair that cannot touch.
+constexpr std::int32_t apart = -1;
+
+/// Memory with a reserve, so that it changes seldom.
+void adapt(std::size_t& room, std::size_t used) {
+  if (used > room || 5 * used < 4 * room) room = used + used / 8;
+}
+
 }  // namespace
 
 template <int D>
-NeighborList<D>::NeighborList(Memory* memory)
-    : pairs_(memory),
+NeighborList<D>::NeighborList(Threads* threads, Memory* memory)
+    : threads_(threads),
+      pairs_(memory),
       shear_(memory),
       plans_(memory),
       reference_position_(memory),
@@ -90,14 +102,15 @@ void NeighborList<D>::choose_safe_displacements(const Blocks<D>& blocks) noexcep
 template <int D>
 bool NeighborList<D>::may_touch(const Blocks<D>& blocks, const BlockPair& pair) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
-  if ((!blocks.moves_freely(a) && !blocks.moves_freely(b)) || blocks.are_joined(a, b)) return false;
   const PlacedBlocks<D> at = blocks.placed(pair.a, pair.b);
   const double reach = skin_[a] + skin_[b] + way(a).norm() + way(b).norm();
   return find_separation(at.a, at.b, at.to_b).gap <= reach;
 }
 
+/// The boxes in which blocks may be until the next search. Blocks that do not move freely count only where a
+/// free block may reach them, compounds by their parts.
 template <int D>
-void NeighborList<D>::search(const Blocks<D>& blocks) {
+void NeighborList<D>::measure_boxes(const Blocks<D>& blocks) {
   const std::size_t slots = blocks.slot_count();
   boxes_.resize(slots);
   const auto measure = [&](std::size_t i) {
@@ -106,30 +119,47 @@ void NeighborList<D>::search(const Blocks<D>& blocks) {
     boxes_[i].lower = boxes_[i].lower.cwiseMin(boxes_[i].lower + way).array() - skin_[i];
     boxes_[i].upper = boxes_[i].upper.cwiseMax(boxes_[i].upper + way).array() + skin_[i];
   };
-  // Blocks that do not move freely count only where a free block may reach them, compounds by their parts.
+  for_each_chunk(threads_, slots, things_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      boxes_[i] = Box<D>();
+      if (blocks.moves_freely(i) && !blocks.is_compound(i)) measure(i);
+    }
+  });
   Box<D> reached;
-  for (std::size_t i = 0; i < slots; ++i) {
-    boxes_[i] = Box<D>();
-    if (!blocks.moves_freely(i) || blocks.is_compound(i)) continue;
-    measure(i);
-    reached.include(boxes_[i].lower);
-    reached.include(boxes_[i].upper);
+  for (const Box<D>& box : boxes_) {
+    if (!box.is_empty()) reached.include(box.lower), reached.include(box.upper);
   }
-  for (std::size_t i = 0; i < slots; ++i) {
-    if (blocks.moves_freely(i) || blocks.is_compound(i)) continue;
-    const double reach = blocks.radius[i] + skin_[i] + way(i).norm();
-    const Box<D> about{blocks.position[i].array() - reach, blocks.position[i].array() + reach};
-    if (blocks.lives(i) && about.overlaps(reached)) measure(i);
-  }
+  for_each_chunk(threads_, slots, things_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (blocks.moves_freely(i) || blocks.is_compound(i)) continue;
+      const double reach = blocks.radius[i] + skin_[i] + way(i).norm();
+      const Box<D> about{blocks.position[i].array() - reach, blocks.position[i].array() + reach};
+      if (blocks.lives(i) && about.overlaps(reached)) measure(i);
+    }
+  });
+}
+
+/// Finds the pairs whose boxes overlap, then of these the ones that may touch, which costs more. Blocks that
+/// both stand, or are joined, are no pair.
+template <int D>
+void NeighborList<D>::search(const Blocks<D>& blocks) {
+  measure_boxes(blocks);
   found_.clear();
-  refit(found_, room_);
+  refit(found_, room_of_found_);
   search_.search(
       std::span<const Box<D>>(boxes_), [&](std::size_t i) { return !boxes_[i].is_empty(); },
       [&](const BlockPair& pair) {
-        if (may_touch(blocks, pair)) found_.push_back(pair);
+        const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+        if ((blocks.moves_freely(a) || blocks.moves_freely(b)) && !blocks.are_joined(a, b))
+          found_.push_back(pair);
       });
-  const std::size_t found = found_.size();
-  if (found > room_ || 5 * found < 4 * room_) room_ = found + found / 8;
+  adapt(room_of_found_, found_.size());
+  for_each_chunk(threads_, found_.size(), things_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t k = chunk.begin; k < chunk.end; ++k)
+      if (!may_touch(blocks, found_[k])) found_[k].a = apart;
+  });
+  std::erase_if(found_, [](const BlockPair& pair) { return pair.a == apart; });
+  adapt(room_, found_.size());
 }
 
 /// Counting sort by a, then by b within each: linear, because a block has few neighbours.

@@ -11,6 +11,7 @@
 #include "force/potential/space/division_plans.h"
 #include "force/spring/shear_spring.h"
 #include "narrow_phase/contact.h"
+#include "threads/threads.h"
 
 namespace halfspace {
 
@@ -60,7 +61,8 @@ struct ListEntry {
 template <int D>
 class NeighborList {
  public:
-  explicit NeighborList(Memory* memory);
+  /// The threads, if any, search.
+  NeighborList(Threads* threads, Memory* memory);
 
   /// True when a block may touch another that is not in its list.
   bool needs_rebuild() const { return needs_rebuild_ || is_outrun_; }
@@ -194,10 +196,12 @@ class NeighborList {
   }
   bool may_touch(const Blocks<D>& blocks, const BlockPair& pair) const;
   void resize(std::size_t slots, bool with_gradients);
+  void measure_boxes(const Blocks<D>& blocks);
   void search(const Blocks<D>& blocks);
   void sort_found(std::size_t slots);
   void carry_over(bool with_shear) noexcept;
 
+  Threads* threads_;
   Array<Candidate<D>> pairs_;
   Array<ShearSpring<D>> shear_;
   CachedDivisions plans_;
@@ -222,6 +226,7 @@ class NeighborList {
   Grid<D> search_;
   Array<Box<D>> boxes_;
   Array<double> sizes_;
+  std::size_t room_of_found_ = 0;
   std::size_t room_ = 0;
   Array<BlockPair> found_;
   Array<BlockPair> sorted_;

@@ -17,6 +17,9 @@ namespace halfspace {
 /// Maximum rotation of a block per motion, rad; also the maximum change of an affine block's gradient.
 constexpr double max_turn = 1;
 
+/// Blocks that a worker processes at a time.
+constexpr std::size_t blocks_per_chunk = 256;
+
 /// Velocity Verlet: predicts a motion from the last forces, makes its first half (kick and drift), and its
 /// second (kick) when the forces at the new positions are known.
 template <int D>
@@ -26,7 +29,7 @@ class Integrator {
              const Share& share, Threads* threads, Memory* memory)
       : kicks_(model.blocks, memory),
         reaction_(model.blocks, memory),
-        meshes_(model, forces, kicks_, reaction_, memory),
+        meshes_(model, forces, kicks_, reaction_, threads, memory),
         settings_(model.settings),
         model_(model),
         blocks_(model.blocks),
@@ -169,9 +172,6 @@ class Integrator {
   }
 
  private:
-  /// Blocks that a worker processes at a time.
-  static constexpr std::size_t blocks_per_chunk = 256;
-
   /// The predicted motion of a chunk of blocks.
   struct Plan {
     bool is_valid = true;

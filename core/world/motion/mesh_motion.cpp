@@ -21,33 +21,10 @@ template <int D>
 double MeshMotion<D>::evaluate_forces() {
   for (std::size_t i = 0; i < meshes_.node_count(); ++i)
     meshes_.force[i] = meshes_.mass[i] * settings_.gravity + meshes_.applied_force[i];
-  largest_strain_ = 0;
-  double energy = 0;
-  meshes_.for_each_element([&](const auto& element) { energy += load_nodes_of(element); });
+  const ElementSums elements = elements_.load_nodes();
+  largest_strain_ = elements.squared_strain;
   for (const SurfaceCell<D>& cell : meshes_.surface()) load_nodes_of(cell);
-  return energy;
-}
-
-template <int D>
-template <int N>
-double MeshMotion<D>::load_nodes_of(const Element<D, N>& element) {
-  using E = Element<D, N>;
-  const Elasticity& elasticity = model_.materials.elasticity(element.material);
-  const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
-  const Tensor<D> strain = E::strain_of(place);
-  const typename E::Amplitudes bending = E::bending_of(place);
-  Tensor<D> driving_strain = element.stressing_strain(strain);
-  typename E::Amplitudes driving_bending = bending;
-  if (elasticity.damping_time > 0) {
-    const typename E::Field rate = element.field_of(gathered<D, N>(meshes_.velocity, element.node));
-    driving_strain += elasticity.damping_time * E::strain_rate_of(place, rate);
-    driving_bending += elasticity.damping_time * E::bending_rate_of(place, rate);
-  }
-  const typename E::Nodes forces =
-      element.forces(place, elasticity.stress<D>(driving_strain), element.drive(driving_bending));
-  for (int i = 0; i < N; ++i) meshes_.force[std::size_t(element.node[std::size_t(i)])] += forces.col(i);
-  largest_strain_ = std::max(largest_strain_, strain.squaredNorm());
-  return element.strain_energy(strain, bending, elasticity);
+  return elements.amount;
 }
 
 /// Nodal forces with the same work as the cell's contacts, because a simplex has an affine displacement
@@ -142,32 +119,6 @@ void MeshMotion<D>::take_surface_stock(EnergySample& sample) const {
   }
 }
 
-/// Power of the viscous stress, which was computed with the velocities `earlier_by` seconds before, without
-/// kicks.
-template <int D>
-double MeshMotion<D>::damping_power(double earlier_by, const VelocityChange<D>* kicks) const {
-  double power = 0;
-  meshes_.for_each_element([&]<int N>(const Element<D, N>& element) {
-    using E = Element<D, N>;
-    const Elasticity& elasticity = model_.materials.elasticity(element.material);
-    if (elasticity.damping_time == 0) return;
-    const typename E::Field place = element.field_of(gathered<D, N>(meshes_.place, element.node));
-    const typename E::Nodes velocity = gathered<D, N>(meshes_.velocity, element.node);
-    const typename E::Field now = element.field_of(velocity);
-    typename E::Nodes before = velocity - earlier_by * gathered<D, N>(acceleration_, element.node);
-    if (kicks) {
-      for (int i = 0; i < N; ++i) before.col(i) -= kicks->of_node(std::size_t(element.node[std::size_t(i)]));
-    }
-    const typename E::Field earlier = element.field_of(before);
-    const Tensor<D> stress = elasticity.stress<D>(E::strain_rate_of(place, earlier));
-    double rate = element.volume * stress.cwiseProduct(E::strain_rate_of(place, now)).sum();
-    if constexpr (E::modes > 0)
-      rate += element.drive(E::bending_rate_of(place, earlier)).dot(E::bending_rate_of(place, now));
-    power += elasticity.damping_time * rate;
-  });
-  return power;
-}
-
 template <int D>
 void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise) {
   if (meshes_.empty()) return;
@@ -184,7 +135,7 @@ void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise)
     }
   }
   take_surface_stock(sample);
-  sample.power.block_damping += damping_power(0);
+  sample.power.block_damping += elements_.damping_power(0, acceleration_, nullptr);
 }
 
 /// A translation of a body strains no cell, except by rounding of positions relative to the body's origin.
@@ -327,7 +278,8 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
   }
   for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
   take_surface_stock(sample);
-  if (is_damped) sample.power.block_damping += damping_power(0.5 * duration);
+  if (is_damped)
+    sample.power.block_damping += elements_.damping_power(0.5 * duration, acceleration_, nullptr);
 }
 
 template <int D>
@@ -347,7 +299,8 @@ void MeshMotion<D>::take_kicks(double duration, EnergySample& sample) {
   }
   for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
   take_surface_stock(sample);
-  if (is_damped) sample.power.block_damping += damping_power(0.5 * duration, &kicks_);
+  if (is_damped)
+    sample.power.block_damping += elements_.damping_power(0.5 * duration, acceleration_, &kicks_);
 }
 
 template class MeshMotion<2>;

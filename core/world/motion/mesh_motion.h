@@ -6,6 +6,7 @@
 #include "world/contacts/force_pass.h"
 #include "world/ledger.h"
 #include "world/model/model.h"
+#include "world/motion/element_pass.h"
 #include "world/motion/velocity_change.h"
 
 namespace halfspace {
@@ -16,10 +17,11 @@ template <int D>
 class MeshMotion {
  public:
   MeshMotion(Model<D>& model, const ForcePass<D>& forces, const VelocityChange<D>& kicks,
-             const VelocityChange<D>& reaction, Memory* memory)
+             const VelocityChange<D>& reaction, Threads* threads, Memory* memory)
       : settings_(model.settings),
         model_(model),
         meshes_(model.blocks.meshes()),
+        elements_(model, threads, memory),
         forces_(forces),
         kicks_(kicks),
         reaction_(reaction),
@@ -63,7 +65,10 @@ class MeshMotion {
   /// Adds the velocity changes of contacts, and samples the energy again.
   void take_kicks(double duration, EnergySample& sample);
 
-  void reserve() { acceleration_.reserve(meshes_.node_count()); }
+  void reserve() {
+    acceleration_.reserve(meshes_.node_count());
+    elements_.fit_room();
+  }
   /// Allocates nothing after reserve().
   void resize() { acceleration_.resize(meshes_.node_count(), Vector<D>::Zero()); }
 
@@ -83,8 +88,6 @@ class MeshMotion {
  private:
   bool is_held(std::size_t node, int component) const { return (meshes_.held[node] >> component & 1) != 0; }
   double evaluate_forces();
-  template <int N>
-  double load_nodes_of(const Element<D, N>& element);
   void load_nodes_of(const SurfaceCell<D>& cell);
   /// `to_end`: time from the node's present velocity to the end of the motion; 0 for its first half.
   void accelerate(std::size_t node, double to_end);
@@ -101,11 +104,11 @@ class MeshMotion {
   bool keeps_upright();
   void sample_energy(std::size_t node, const Vector<D>& opposed, EnergySample& sample) const;
   void take_surface_stock(EnergySample& sample) const;
-  double damping_power(double earlier_by, const VelocityChange<D>* kicks = nullptr) const;
 
   const WorldSettings<D>& settings_;
   Model<D>& model_;
   Meshes<D>& meshes_;
+  ElementPass<D> elements_;
   const ForcePass<D>& forces_;
   const VelocityChange<D>& kicks_;
   const VelocityChange<D>& reaction_;
