@@ -142,13 +142,12 @@ void World<D>::take_in_met(OnContact on_contact) {
   }
 }
 
-/// Calls `visit(chunk, sums)` for all pairs in the neighbour list. Potential laws in 3D run in sequence,
-/// because they share one array of division plans.
+/// Calls `visit(chunk, sums)` for all pairs in the neighbour list.
 template <int D>
 template <class Visit>
 void World<D>::pass_over_pairs(Visit visit) {
   const std::size_t pairs = contacts_.neighbors().pairs().size();
-  sum_each_chunk(D == 3 && knows_potential() ? nullptr : threads_, pairs, pairs_per_chunk, sums_, visit);
+  sum_each_chunk(threads_, pairs, pairs_per_chunk, sums_, visit);
 }
 
 template <int D>
@@ -174,15 +173,30 @@ void World<D>::detect() {
 
 /// Computes the load of a pair. In a share, its energy may count elsewhere, and it may load copies only.
 template <int D>
-[[gnu::always_inline]] inline void World<D>::load_pair(std::size_t k, const Contact<D>& contact,
+[[gnu::always_inline]] inline bool World<D>::load_pair(std::size_t k, const Contact<D>& contact,
                                                        typename ForcePass<D>::Evaluation& evaluation) {
   const ContactEnergy energy = evaluation.energy;
   const std::int32_t last_block = evaluation.last_block;
-  forces_.load(k, contact, evaluation);
-  if (share_.is_whole()) return;
+  const bool is_loaded = forces_.load(k, contact, evaluation);
+  if (share_.is_whole()) return is_loaded;
   const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
   if (!share_.counts(pair)) evaluation.energy = energy;
   if (!share_.loads(pair)) evaluation.last_block = last_block;
+  return is_loaded;
+}
+
+/// The forces that wait for new division plans, in order: all pairs share the memory of plans.
+template <int D>
+void World<D>::load_without_plan(typename ForcePass<D>::Evaluation common) {
+  common.makes_plans = true;
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    PairSums& sums = sums_[chunk];
+    for (const std::uint32_t k : contacts_.without_plan_in(chunk, sums)) {
+      typename ForcePass<D>::Evaluation evaluation = common;
+      load_pair(k, {}, evaluation);
+      sums.energy.add(evaluation.energy);
+    }
+  }
 }
 
 /// Finds the contacts in the same pass, unless they are known.
@@ -192,31 +206,35 @@ void World<D>::evaluate_forces(double elapsed) {
   if (sleep_.any() && !are_left_out_loaded_) load_left_out();
   const bool are_found = contacts_.are_found();
   if (!are_found) forget_contacts();
-  pass_over_pairs([&, common = forces_.begin(elapsed)](const Chunk& chunk, PairSums& sums) {
+  const typename ForcePass<D>::Evaluation common = forces_.begin(elapsed);
+  pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
     typename ForcePass<D>::Evaluation evaluation = common;
     evaluation.worker = chunk.worker;
+    const auto load = [&](std::size_t k, const Contact<D>& contact) {
+      if (!load_pair(k, contact, evaluation)) contacts_.note_without_plan(k, chunk.begin, sums);
+    };
     if (are_found) {
       Contact<D> contact;
       for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
         const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
         if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
-        load_pair(k, contact, evaluation);
+        load(k, contact);
       }
     } else {
-      find_in(chunk, sums,
-              [&](std::size_t k, const Contact<D>& contact) { load_pair(k, contact, evaluation); });
+      find_in(chunk, sums, load);
     }
     sums.energy = evaluation.energy;
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
   });
+  load_without_plan(common);
   if (!are_found) {
-    take_in_met(
-        [&, common = forces_.begin(elapsed)](std::size_t k, const Contact<D>& contact, PairSums& sums) {
-          typename ForcePass<D>::Evaluation evaluation = common;
-          load_pair(k, contact, evaluation);
-          sums.energy.add(evaluation.energy);
-          sums.last_block = std::max(sums.last_block, evaluation.last_block);
-        });
+    take_in_met([&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
+      typename ForcePass<D>::Evaluation evaluation = common;
+      evaluation.makes_plans = true;
+      load_pair(k, contact, evaluation);
+      sums.energy.add(evaluation.energy);
+      sums.last_block = std::max(sums.last_block, evaluation.last_block);
+    });
     end_finding();
   }
   lap(Pass::pairs);

@@ -44,8 +44,10 @@ struct PlannedPair {
     return potential_force(at.a, at.b, at.to_b, room);
   }
   PotentialForce<3> planned(bool makes_plans = true) {
+    if (const auto force = followed()) return *force;
+    if (!makes_plans) return found();
     const PlacedBlocks<3> at = blocks.placed(0, 1);
-    return planned_force(at.a, at.b, at.to_b, makes_plans, known, plans, room);
+    return force_by_new_plan(at.a, at.b, at.to_b, known, plans, room);
   }
   std::optional<PotentialForce<3>> followed() {
     const PlacedBlocks<3> at = blocks.placed(0, 1);

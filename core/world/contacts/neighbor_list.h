@@ -151,6 +151,7 @@ class NeighborList {
   /// One per pair; empty when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
   /// Division plans of pairs with potential laws, in 3D.
+  const CachedDivisions& plans() const { return plans_; }
   CachedDivisions& plans() {
     plans_.serve_pairs(pairs_.size());
     return plans_;

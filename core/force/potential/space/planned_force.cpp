@@ -4,12 +4,8 @@
 
 namespace halfspace {
 
-PotentialForce<3> planned_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                bool makes_plans, DivisionCache& memory, CachedDivisions& plans,
-                                PotentialRoom<3>& room) {
-  if (memory.knows())
-    if (const std::optional<PotentialForce<3>> force = follow(plans[memory], a, b, to_b)) return *force;
-  if (!makes_plans) return potential_force(a, b, to_b, room);
+PotentialForce<3> force_by_new_plan(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                    DivisionCache& memory, CachedDivisions& plans, PotentialRoom<3>& room) {
   memory.forget();
   const PotentialForce<3> found = potential_force(a, b, to_b, room, &room.record);
   if (!(found.content > 0)) return found;

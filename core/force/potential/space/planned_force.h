@@ -13,10 +13,9 @@ namespace halfspace {
 std::optional<PotentialForce<3>> follow(std::span<const PlanCode> plan, const Outline<3>& a,
                                         const Outline<3>& b, const Vector<3>& to_b);
 
-/// The potential force of a pair: by its plan if valid, else by a new division, which is cached if
-/// `makes_plans`. In the same poses the result has the same bits.
-PotentialForce<3> planned_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                bool makes_plans, DivisionCache& memory, CachedDivisions& plans,
-                                PotentialRoom<3>& room);
+/// The potential force of a pair by a new division, whose plan is cached. In the same poses the result has
+/// the same bits as by the plan.
+PotentialForce<3> force_by_new_plan(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
+                                    DivisionCache& memory, CachedDivisions& plans, PotentialRoom<3>& room);
 
 }  // namespace halfspace
