@@ -1,6 +1,7 @@
 #include "halfspace/query.h"
 
 #include "broad_phase/grid.h"
+#include "broad_phase/hilbert_curve.h"
 #include "geometry/unit_vector.h"
 #include "narrow_phase/closest_points.h"
 #include "narrow_phase/ray.h"
@@ -14,8 +15,8 @@ using namespace halfspace::capi;
 
 namespace {
 
-/// Boxes have 32-bit indices.
-constexpr int bits_of_boxes = 30;
+/// Boxes and points have 32-bit indices.
+constexpr int bits_of_indices = 30;
 
 template <int D>
 Ray<D> read_ray(const double* origin, const double* direction, double max_distance) {
@@ -67,6 +68,13 @@ hs_status find_pairs(hs_context* context, const hs_view& lower, const hs_view& u
       });
   if (count) *count = found;
   return fits(found, capacity);
+}
+
+template <int D>
+void order_points(hs_context* context, const hs_view& points, std::int32_t* order) {
+  const Array<Vector<D>> read = read_finite_points<D>(context, points, "points");
+  if (!read.empty()) require_pointer(order, "order");
+  order_along_curve<D>(read, {order, read.size()}, &context->memory);
 }
 
 }  // namespace
@@ -130,7 +138,7 @@ hs_status hs_boxes_find_pairs(hs_context* context, int32_t dimension, hs_view lo
   return guarded(context, __func__, [&] {
     require_pointer(context, "context");
     require(dimension == 2 || dimension == 3, dimension, "dimension", "2 or 3");
-    require_numbered(lower.count, "lower.count", bits_of_boxes);
+    require_numbered(lower.count, "lower.count", bits_of_indices);
     if (upper.count != lower.count) {
       refuse(HS_ERROR_ARGUMENT, "upper.count is %lld; it must be lower.count, which is %lld",
              static_cast<long long>(upper.count), static_cast<long long>(lower.count));
@@ -139,5 +147,20 @@ hs_status hs_boxes_find_pairs(hs_context* context, int32_t dimension, hs_view lo
     if (capacity > 0) require_pointer(pairs, "pairs");
     return dimension == 2 ? find_pairs<2>(context, lower, upper, pairs, capacity, count)
                           : find_pairs<3>(context, lower, upper, pairs, capacity, count);
+  });
+}
+
+hs_status hs_points_order_along_curve(hs_context* context, int32_t dimension, hs_view points,
+                                      int32_t order[]) {
+  return guarded(context, __func__, [&] {
+    require_pointer(context, "context");
+    require(dimension == 2 || dimension == 3, dimension, "dimension", "2 or 3");
+    require_numbered(points.count, "points.count", bits_of_indices);
+    if (dimension == 2) {
+      order_points<2>(context, points, order);
+    } else {
+      order_points<3>(context, points, order);
+    }
+    return HS_OK;
   });
 }

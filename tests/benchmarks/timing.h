@@ -62,7 +62,8 @@ class Passes {
 /// Prints the wall time of work on one thread over that of the same on several: minima of passes that take
 /// turns, so that both see the machine as busy as it is.
 template <class OnOne, class OnSeveral>
-void print_speed_up(double count, const char* of_what, int threads, int passes, OnOne&& on_one, OnSeveral&& on_several) {
+void print_speed_up(double count, const char* of_what, int threads, int passes, OnOne&& on_one,
+                    OnSeveral&& on_several) {
   const auto wall_seconds_of = [](auto&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();

@@ -336,6 +336,12 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
          return hs_pair_distance(s.round.get(), &s.poses[0], s.round.get(), &s.poses[1], &s.written.closest);
        }},
       {"hs_boxes_find_pairs", Allocates::always, find_boxes},
+      {"hs_points_order_along_curve", Allocates::always,
+       [](S s) {
+         const Points3 points{{2, 0, 0}, {0, 1, 1}, {1, 1, 0}};
+         return hs_points_order_along_curve(s.context.get(), s.dimension, view_of(points),
+                                            s.written.indices[0]);
+       }},
 
       {"hs_pair_detect", Allocates::in_the_plane,
        [](S s) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "capi/refusals.h"
@@ -261,6 +262,41 @@ TEST_CASE("pairs of boxes are those of all combinations") {
   CHECK(count == 0);
 }
 
+TEST_CASE("along the curve each point of a full grid is followed by a neighbour") {
+  const Context context = make_context();
+  std::mt19937 random(3);
+  for (const std::int32_t dimension : {2, 3}) {
+    const int n = dimension == 2 ? 32 : 16;
+    Points3 points;
+    for (int i = 0; i < n * n * (dimension == 2 ? 1 : n); ++i)
+      points.push_back({7.5 + 0.1 * (i % n), -3 + 0.1 * (i / n % n), 0.1 * (i / (n * n))});
+    std::shuffle(points.begin(), points.end(), random);
+    std::vector<std::int32_t> order(points.size());
+    require_ok(hs_points_order_along_curve(context.get(), dimension, view_of(points), order.data()),
+               context.get());
+    int steps = 0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const Point3 &p = points.at(std::size_t(order[i - 1])), &q = points.at(std::size_t(order[i]));
+      steps += std::abs(std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) - 0.1) < 1e-9;
+    }
+    CHECK(steps == int(points.size()) - 1);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) REQUIRE(order[i] == std::int32_t(i));
+  }
+}
+
+TEST_CASE("points in one place keep their order, and no point has none") {
+  const Context context = make_context();
+  const Points3 same(5, {1e9, -2, 3}), line{{4, 0, 0}, {0, 0, 0}, {4, 0, 0}, {1e-300, 0, 0}};
+  std::int32_t order[5] = {-1, -1, -1, -1, -1};
+  require_ok(hs_points_order_along_curve(context.get(), 3, view_of(same), order), context.get());
+  for (std::int32_t i = 0; i < 5; ++i) CHECK(order[i] == i);
+  require_ok(hs_points_order_along_curve(context.get(), 2, view_of(line), order), context.get());
+  const std::vector<std::int32_t> expected{1, 3, 0, 2};
+  CHECK(std::equal(expected.begin(), expected.end(), order));
+  CHECK(hs_points_order_along_curve(context.get(), 2, {}, nullptr) == HS_OK);
+}
+
 TEST_CASE("queries refuse what they cannot read, by name and value") {
   const Context context = make_context();
   hs_context* c = context.get();
@@ -321,6 +357,17 @@ TEST_CASE("queries refuse what they cannot read, by name and value") {
                   {"lower[1]", "nan", [&] { return find(3, view_of(invalid), l, 0); }}});
   CHECK(count == 7);
   CHECK(hs_boxes_find_pairs(nullptr, 2, l, l, nullptr, 0, &count) == HS_ERROR_ARGUMENT);
+
+  std::int32_t order[2] = {7, 7};
+  const auto put_in_order = [&](std::int32_t dimension, hs_view points, std::int32_t* out) {
+    return hs_points_order_along_curve(c, dimension, points, out);
+  };
+  check_refusals(c, "hs_points_order_along_curve",
+                 {{"dimension", "1", [&] { return put_in_order(1, l, order); }},
+                  {"points[1]", "nan", [&] { return put_in_order(3, view_of(invalid), order); }},
+                  {"order", "NULL", [&] { return put_in_order(2, l, nullptr); }}});
+  CHECK(order[0] == 7);
+  CHECK(hs_points_order_along_curve(nullptr, 2, l, order) == HS_ERROR_ARGUMENT);
 }
 
 }  // namespace halfspace_test

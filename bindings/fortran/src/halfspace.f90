@@ -27,7 +27,7 @@ module halfspace
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
   use halfspace_queries, only: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, &
-    halfspace_find_closest_points, halfspace_ray_hit
+    halfspace_find_closest_points, halfspace_order_along_curve, halfspace_ray_hit
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
   use halfspace_spread_worlds, only: halfspace_packed, halfspace_share_info, halfspace_share_plan
   use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, &

@@ -1,8 +1,8 @@
-!> Queries without contact: rays, closest points, and pairs of overlapping boxes.
+!> Queries without contact: rays, closest points, pairs of overlapping boxes, and an order of points.
 module halfspace_queries
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr
   use halfspace_block_worlds, only: block_world
-  use halfspace_c, only: hs_boxes_find_pairs, HS_OK
+  use halfspace_c, only: hs_boxes_find_pairs, hs_points_order_along_curve, HS_OK
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_definitions, only: halfspace_pose
   use halfspace_errors, only: conclude, had_memory, refuse
@@ -13,7 +13,7 @@ module halfspace_queries
   implicit none
   private
   public :: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, halfspace_find_closest_points, &
-    halfspace_ray_hit
+    halfspace_order_along_curve, halfspace_ray_hit
 
   real(c_double), parameter :: longest = 1e75_c_double
 
@@ -140,6 +140,35 @@ contains
     end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine halfspace_find_box_pairs
+
+  !> Orders points along a Hilbert curve through their box. Blocks that are added in this order have their neighbours
+  !> close in memory, so that steps of large worlds take less time.
+  subroutine halfspace_order_along_curve(points, order, rows, context, stat, errmsg)
+    real(c_double), intent(in), target :: points(:,:)  !< m; the number of components is the dimension
+    !> order(1): the first point along the curve, from 1. Points in one place keep their order
+    integer(c_int32_t), intent(inout), allocatable, target :: order(:)
+    logical, intent(in), optional :: rows  !< layout of the points
+    type(halfspace_context), intent(in), optional :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle) :: owner
+    integer(c_int32_t), allocatable, target :: found(:)
+    integer :: components, failure
+    integer(c_int32_t) :: dimension, status
+    if (.not. are_points(points, 'points', rows, stat, errmsg)) return
+    components = 1
+    if (present(rows)) components = merge(2, 1, rows)
+    dimension = size(points, components)
+    if (.not. own_or_given(context, owner, stat, errmsg)) return
+    allocate (found(size(points) / max(dimension, 1)), stat=failure)
+    if (.not. had_memory(failure, stat, errmsg)) return
+    status = hs_points_order_along_curve(owner%object(), dimension, view(points, rows), c_loc(found))
+    if (status >= HS_OK) then
+      found = found + 1
+      call move_alloc(found, order)
+    end if
+    call conclude(status, owner%context(), stat, errmsg)
+  end subroutine halfspace_order_along_curve
 
   pure real(c_double) function given(max_distance)
     real(c_double), intent(in), optional :: max_distance

@@ -11,6 +11,7 @@ program test_queries
   call rays()
   call closest()
   call boxes()
+  call curve()
   call deforms()
   call separate_arrays()
   call finish()
@@ -72,6 +73,16 @@ contains
     call expect(all(shape(pairs) == [2, 1]), 'one pair')
     call expect(all(pairs(:, 1) == [1, 2]), 'the pair, from 1')
   end subroutine boxes
+
+  subroutine curve()
+    real(real64) :: corners(2, 4)
+    integer(int32), allocatable :: order(:)
+    corners = reshape([0.0_real64, 0.0_real64, 1.0_real64, 1.0_real64, 1.0_real64, 0.0_real64, 0.0_real64, &
+                       1.0_real64], [2, 4])
+    call halfspace_order_along_curve(corners, order)
+    call expect(size(order) == 4, 'as many as points')
+    call expect(all(order == [1, 4, 2, 3]), 'around the square, from 1')
+  end subroutine curve
 
   subroutine deforms()
     type(halfspace_shape) :: body

@@ -56,7 +56,7 @@ from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
 from .progress import ProgressBar
-from .query import boxes_find_pairs, pair_distance
+from .query import boxes_find_pairs, pair_distance, points_order_along_curve
 from .records import (
     BALANCE,
     BLOCK_STATE,
@@ -157,6 +157,7 @@ __all__ = [
     "WorldPart",
     "arch",
     "boxes_find_pairs",
+    "points_order_along_curve",
     "check_polygon",
     "check_polyhedron",
     "clean_polygon",

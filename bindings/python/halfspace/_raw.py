@@ -2069,6 +2069,17 @@ def declare(library: Any) -> None:
     ]
     library.hs_boxes_find_pairs.restype = hs_status
 
+    # Orders points along a Hilbert curve through their box. Blocks that are added in this order have their
+    # neighbours close in memory: a world of 1e5 blocks in random order takes more than twice the time per
+    # step.
+    library.hs_points_order_along_curve.argtypes = [
+        POINTER(hs_context),  # context
+        c_int32,  # dimension
+        hs_view,  # points
+        c_void_p,  # order
+    ]
+    library.hs_points_order_along_curve.restype = hs_status
+
     # Fills a relaxation definition with its defaults.
     library.hs_relaxation_def_init.argtypes = [
         POINTER(hs_relaxation_def),  # def

@@ -1,4 +1,4 @@
-"""Queries without contact: closest points, rays into worlds, and pairs of overlapping boxes."""
+"""Queries without contact: closest points, rays into worlds, pairs of overlapping boxes, and an order of points."""
 from __future__ import annotations
 
 import ctypes
@@ -90,6 +90,36 @@ def boxes_find_pairs(
         if count.value <= len(pairs):
             return pairs[: count.value]
         pairs = np.empty((count.value, 2), np.int32)
+
+
+def points_order_along_curve(points: ArrayLike, *, context: Optional[Context] = None) -> NDArray[np.int32]:
+    """Orders points along a Hilbert curve through their box. Blocks that are added in this order have their neighbours
+    close in memory, so that steps of large worlds take less time.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2) or (n, 3)
+        E.g. the centroids of blocks, m.
+    context : Context, optional
+        Allocates temporary memory; the default context if there is none given.
+
+    Returns
+    -------
+    numpy.ndarray, shape (n,)
+        Indices of the points: the first is the first along the curve. Points in one place keep their order.
+
+    Examples
+    --------
+    >>> points_order_along_curve([(0, 0), (1, 1), (1, 0), (0, 1)])
+    array([0, 3, 1, 2], dtype=int32)
+    """
+    array = np.asarray(points, np.float64)
+    dimension = 3 if array.ndim == 2 and array.shape[1] == 3 else 2
+    view = view_of(array, dimension, "points")
+    keeper = (context or default_context())._alive
+    order = np.empty(len(array), np.int32)
+    keeper.call(library.hs_points_order_along_curve, keeper.pointer, dimension, view, order.ctypes.data)
+    return order
 
 
 class QueriedBlocks(Statics):

@@ -51,6 +51,15 @@ def test_pairs_of_boxes_are_those_of_all_combinations():
         hs.boxes_find_pairs([(1, 1)], [(0, 2)])
 
 
+def test_points_that_follow_each_other_along_the_curve_are_neighbours():
+    grid = np.stack(np.meshgrid(np.arange(8), np.arange(8), np.arange(8)), -1).reshape(-1, 3)
+    points = np.random.default_rng(1).permutation(grid)
+    order = hs.points_order_along_curve(points)
+    assert sorted(order) == list(range(len(points)))
+    assert (np.abs(np.diff(points[order], axis=0)).sum(1) == 1).all()
+    assert len(hs.points_order_along_curve(np.empty((0, 2)))) == 0
+
+
 def test_a_shape_deforms_in_place():
     body = hs.Shape.box(1, 1, 1)
     vertices, faces = body.vertices, body.faces

@@ -1,5 +1,5 @@
 /** @file
- *  @brief Queries without contact: rays, closest points, and pairs of overlapping boxes.
+ *  @brief Queries without contact: rays, closest points, pairs of overlapping boxes, and an order of points.
  *
  *  They read shapes and worlds and change nothing. Worlds are seen in their current state, deformed blocks as
  *  they are now. See docs/concepts/queries.md. Thread rule: as for shapes and worlds.
@@ -76,6 +76,18 @@ HS_CHECKED hs_status hs_pair_distance(const hs_shape *shape_a, const hs_pose *po
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_boxes_find_pairs(hs_context *context, int32_t dimension, hs_view lower, hs_view upper,
                                          int32_t pairs[], int64_t capacity, int64_t *count);
+
+/** @brief Orders points along a Hilbert curve through their box. Blocks that are added in this order have
+ *  their neighbours close in memory: a world of 1e5 blocks in random order takes more than twice the time per
+ *  step.
+ *  @param context allocates temporary memory and keeps the error text
+ *  @param dimension 2 or 3
+ *  @param points e.g. the centroids of blocks, m, finite, at most 2^30
+ *  @param order receives the indices of the points, points.count values: order[0] is the first point along the
+ *         curve. Points in one place keep their order. May be NULL if there are no points
+ *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
+HS_CHECKED hs_status hs_points_order_along_curve(hs_context *context, int32_t dimension, hs_view points,
+                                                 int32_t order[]);
 
 #ifdef __cplusplus
 }

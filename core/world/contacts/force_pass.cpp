@@ -83,7 +83,8 @@ inline std::optional<PotentialForce<D>> ForcePass<D>::potential_between(Candidat
   PotentialRoom<D>& room = potential_rooms_[std::size_t(evaluation.worker)];
   if constexpr (D == 3) {
     if (pair.plan.knows()) {
-      if (const auto force = follow(std::as_const(neighbors_).plans()[pair.plan], at.a, at.b, at.to_b)) return force;
+      if (const auto force = follow(std::as_const(neighbors_).plans()[pair.plan], at.a, at.b, at.to_b))
+        return force;
     }
     if (evaluation.elapsed > 0) {
       if (!evaluation.makes_plans) return {};

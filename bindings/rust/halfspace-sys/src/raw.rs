@@ -3029,6 +3029,24 @@ extern "C" {
         count: *mut i64,
     ) -> hs_status;
 
+    /// Orders points along a Hilbert curve through their box. Blocks that are added in this order have their
+    /// neighbours close in memory: a world of 1e5 blocks in random order takes more than twice the time per
+    /// step.
+    ///
+    /// - `context`: allocates temporary memory and keeps the error text
+    /// - `dimension`: 2 or 3
+    /// - `points`: e.g. the centroids of blocks, m, finite, at most 2^30
+    /// - `order`: receives the indices of the points, points.count values: order\[0\] is the first point
+    ///   along the curve. Points in one place keep their order. May be NULL if there are no points
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    pub fn hs_points_order_along_curve(
+        context: *mut hs_context,
+        dimension: i32,
+        points: hs_view,
+        order: *mut i32,
+    ) -> hs_status;
+
     /// Fills a relaxation definition with its defaults.
     ///
     /// - `def`: to fill

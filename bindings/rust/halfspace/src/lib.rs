@@ -166,7 +166,7 @@ pub use mutable_view::ViewMut;
 pub use pair::{detect, Bodies, Detector, PairCache};
 pub use placed::Placed;
 pub use pose::Pose;
-pub use query::{closest_points, find_box_pairs};
+pub use query::{closest_points, find_box_pairs, order_along_curve};
 pub use records::*;
 pub use relax::{Relaxation, Relaxed};
 pub use shape::{Cut, HalfSpace, Shape};

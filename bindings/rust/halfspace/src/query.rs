@@ -136,3 +136,30 @@ pub fn find_box_pairs<'a>(
         }
     }
 }
+
+/// Orders points along a Hilbert curve through their box: returns their indices, the first along the curve
+/// first. Blocks that are added in this order have their neighbours close in memory, so that steps of large
+/// worlds take less time. Points in one place keep their order.
+///
+/// ```
+/// use halfspace::{order_along_curve, Context};
+///
+/// let corners = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+/// assert_eq!(order_along_curve(&Context::new()?, &corners)?, [0, 3, 1, 2]);
+/// # Ok::<(), halfspace::Error>(())
+/// ```
+pub fn order_along_curve<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Vec<i32>> {
+    let points = points.into().raw();
+    let mut order = vec![0; points.count as usize];
+    // SAFETY: the view borrows what it says, and the array is as long.
+    let status = unsafe {
+        sys::hs_points_order_along_curve(
+            context.handle(),
+            if points.z.is_null() { 2 } else { 3 },
+            points,
+            order.as_mut_ptr(),
+        )
+    };
+    context.owner().check(status)?;
+    Ok(order)
+}
