@@ -54,6 +54,15 @@ std::vector<Shape> cells_of(const Context& context, const Shape& region, const s
   return cells;
 }
 
+/// In the order of a Hilbert curve: blocks that are close get close numbers, which makes steps faster.
+std::vector<Point> along_curve(const Context& context, const std::vector<Point>& sites) {
+  std::vector<std::int32_t> order(sites.size());
+  require(context, hs_points_order_along_curve(context.get(), 3, view_of(sites), order.data()));
+  std::vector<Point> ordered;
+  for (const std::int32_t i : order) ordered.push_back(sites[static_cast<std::size_t>(i)]);
+  return ordered;
+}
+
 }  // namespace
 
 std::vector<Point> random_sites(const Context& context, const Shape& region, std::int64_t count,
@@ -74,7 +83,7 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
       p[axis] = bounds.low[axis] + bounds.length(axis) * random.uniform();
     if (is_inside(p)) sites.push_back(p);
   }
-  return sites;
+  return along_curve(context, sites);
 }
 
 std::vector<std::vector<int>> neighbouring_sites(const std::vector<Point>& sites,
