@@ -19,26 +19,40 @@ constexpr double most_rounded = 1e-3;
 /// Returns the strain energy.
 template <int D>
 double MeshMotion<D>::evaluate_forces() {
-  for (std::size_t i = 0; i < meshes_.node_count(); ++i)
+  for_each_node([&](std::size_t i) {
     meshes_.force[i] = meshes_.mass[i] * settings_.gravity + meshes_.applied_force[i];
+  });
   const ElementSums elements = elements_.load_nodes();
   largest_strain_ = elements.squared_strain;
-  for (const SurfaceCell<D>& cell : meshes_.surface()) load_nodes_of(cell);
+  load_nodes_at_surface();
   return elements.amount;
+}
+
+template <int D>
+void MeshMotion<D>::load_nodes_at_surface() {
+  const Array<SurfaceCell<D>>& surface = meshes_.surface();
+  surface_loads_.resize(surface.size());
+  for_each_surface_cell([&](std::size_t c) { surface_loads_[c] = load_of(surface[c]); });
+  for (std::size_t c = 0; c < surface.size(); ++c) {
+    for (int i = 0; i <= D; ++i)
+      meshes_.force[std::size_t(surface[c].node[std::size_t(i)])] += surface_loads_[c].col(i);
+    const Tensor<D> strain = model_.blocks.deformation(std::size_t(surface[c].block)).strain();
+    largest_strain_ = std::max(largest_strain_, strain.squaredNorm());
+  }
 }
 
 /// Nodal forces with the same work as the cell's contacts, because a simplex has an affine displacement
 /// field.
 template <int D>
-void MeshMotion<D>::load_nodes_of(const SurfaceCell<D>& cell) {
+typename MeshMotion<D>::CornerLoads MeshMotion<D>::load_of(const SurfaceCell<D>& cell) const {
   const std::size_t block = std::size_t(cell.block);
   const Blocks<D>& blocks = model_.blocks;
   const Vector<D> share = blocks.force[block] / (D + 1);
   const Deformation<D>& deformation = blocks.deformation(block);
-  largest_strain_ = std::max(largest_strain_, deformation.strain().squaredNorm());
   const Tensor<D> in_frame = deformation.virial * deformation.gradient.inverse().transpose();
-  for (int i = 0; i <= D; ++i)
-    meshes_.force[std::size_t(cell.node[std::size_t(i)])] += share + in_frame * cell.gradients.col(i);
+  CornerLoads loads;
+  for (int i = 0; i <= D; ++i) loads.col(i) = share + in_frame * cell.gradients.col(i);
+  return loads;
 }
 
 /// Newton's law with local and mass-proportional damping, for the components that are not held.
@@ -246,12 +260,12 @@ Tensor<D> MeshMotion<D>::predicted_stretch(std::size_t block) const {
 
 template <int D>
 void MeshMotion<D>::kick_and_drift(double duration) {
-  for (std::size_t i = 0; i < meshes_.node_count(); ++i) {
+  for_each_node([&](std::size_t i) {
     meshes_.velocity[i] += 0.5 * duration * acceleration_[i];
     if (!kicks_.empty()) meshes_.velocity[i] += kicks_.of_node(i);
     meshes_.place[i] += duration * meshes_.velocity[i];
-  }
-  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_nodes(cell);
+  });
+  for_each_surface_cell([&](std::size_t c) { model_.blocks.follow_nodes(meshes_.surface()[c]); });
 }
 
 template <int D>
@@ -260,47 +274,41 @@ void MeshMotion<D>::kick(double duration, EnergySample& sample) {
   strain_energy_ = evaluate_forces();
   sample.block_strain += strain_energy_;
   if (!model_.actions.empty()) give_velocities(sample);
-  bool is_damped = false;
-  for (const Body<D>& body : meshes_.bodies()) {
-    is_damped = is_damped || body.damping_time > 0;
-    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
-         ++i) {
-      const Vector<D> middle_velocity = meshes_.velocity[i];
-      accelerate(i, 0.5 * duration);
-      sample.applied_power += meshes_.applied_force[i].dot(middle_velocity);
-      if (!model_.actions.empty()) sample.applied_power += load_of_actions(i).dot(middle_velocity);
-      // A kick that is not finite is skipped, as for rigid blocks.
-      const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
-      if (velocity.allFinite()) meshes_.velocity[i] = velocity;
-      sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
-      sample_energy(i, middle_velocity, sample);
-    }
-  }
-  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
-  take_surface_stock(sample);
-  if (is_damped)
-    sample.power.block_damping += elements_.damping_power(0.5 * duration, acceleration_, nullptr);
+  sum_each_node(sample, [&](std::size_t i, const Body<D>& body, EnergySample& sum) {
+    const Vector<D> middle_velocity = meshes_.velocity[i];
+    accelerate(i, 0.5 * duration);
+    sum.applied_power += meshes_.applied_force[i].dot(middle_velocity);
+    if (!model_.actions.empty()) sum.applied_power += load_of_actions(i).dot(middle_velocity);
+    // A kick that is not finite is skipped, as for rigid blocks.
+    const Vector<D> velocity = middle_velocity + 0.5 * duration * acceleration_[i];
+    if (velocity.allFinite()) meshes_.velocity[i] = velocity;
+    sum.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
+    sample_energy(i, middle_velocity, sum);
+  });
+  end_kick(duration, nullptr, sample);
 }
 
 template <int D>
 void MeshMotion<D>::take_kicks(double duration, EnergySample& sample) {
   if (meshes_.empty()) return;
   sample.block_strain += strain_energy_;
-  bool is_damped = false;
-  for (const Body<D>& body : meshes_.bodies()) {
-    is_damped = is_damped || body.damping_time > 0;
-    for (std::size_t i = std::size_t(body.first_node); i < std::size_t(body.first_node + body.node_count);
-         ++i) {
-      const Vector<D> middle_velocity = meshes_.velocity[i] - 0.5 * duration * acceleration_[i];
-      meshes_.velocity[i] += kicks_.of_node(i);
-      sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
-      sample_energy(i, middle_velocity, sample);
-    }
-  }
-  for (const SurfaceCell<D>& cell : meshes_.surface()) model_.blocks.follow_node_velocities(cell);
+  sum_each_node(sample, [&](std::size_t i, const Body<D>& body, EnergySample& sum) {
+    const Vector<D> middle_velocity = meshes_.velocity[i] - 0.5 * duration * acceleration_[i];
+    meshes_.velocity[i] += kicks_.of_node(i);
+    sum.gravity -= meshes_.mass[i] * settings_.gravity.dot(body.origin + meshes_.place[i]);
+    sample_energy(i, middle_velocity, sum);
+  });
+  end_kick(duration, &kicks_, sample);
+}
+
+/// Surface blocks take over the velocities of their nodes.
+template <int D>
+void MeshMotion<D>::end_kick(double duration, const VelocityChange<D>* kicks, EnergySample& sample) {
+  for_each_surface_cell([&](std::size_t c) { model_.blocks.follow_node_velocities(meshes_.surface()[c]); });
   take_surface_stock(sample);
-  if (is_damped)
-    sample.power.block_damping += elements_.damping_power(0.5 * duration, acceleration_, &kicks_);
+  const auto is_damped = [](const Body<D>& body) { return body.damping_time > 0; };
+  if (std::any_of(meshes_.bodies().begin(), meshes_.bodies().end(), is_damped))
+    sample.power.block_damping += elements_.damping_power(0.5 * duration, acceleration_, kicks);
 }
 
 template class MeshMotion<2>;

@@ -22,10 +22,13 @@ class MeshMotion {
         model_(model),
         meshes_(model.blocks.meshes()),
         elements_(model, threads, memory),
+        threads_(threads),
         forces_(forces),
         kicks_(kicks),
         reaction_(reaction),
-        acceleration_(memory) {}
+        acceleration_(memory),
+        surface_loads_(memory),
+        samples_(memory) {}
 
   /// Computes the forces and accelerations of all nodes. Adds to the energies, and to the noise of
   /// Integrator::begin().
@@ -67,6 +70,8 @@ class MeshMotion {
 
   void reserve() {
     acceleration_.reserve(meshes_.node_count());
+    surface_loads_.reserve(meshes_.surface().size());
+    samples_.reserve(chunk_count(meshes_.node_count(), nodes_per_chunk));
     elements_.fit_room();
   }
   /// Allocates nothing after reserve().
@@ -86,9 +91,37 @@ class MeshMotion {
   }
 
  private:
+  static constexpr std::size_t nodes_per_chunk = 256, cells_per_chunk = 64;
+  using CornerLoads = Eigen::Matrix<double, D, D + 1>;
+
+  template <class Visit>
+  void for_each_node(Visit visit) {
+    for_each_chunk(threads_, meshes_.node_count(), nodes_per_chunk, [&](const Chunk& chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(i);
+    });
+  }
+  template <class Visit>
+  void for_each_surface_cell(Visit visit) {
+    for_each_chunk(threads_, meshes_.surface().size(), cells_per_chunk, [&](const Chunk& chunk) {
+      for (std::size_t c = chunk.begin; c < chunk.end; ++c) visit(c);
+    });
+  }
+  /// Calls visit(node, body, sum) for all nodes, and adds the sums of their chunks to `sample`.
+  template <class Visit>
+  void sum_each_node(EnergySample& sample, Visit visit) {
+    for (const Body<D>& body : meshes_.bodies()) {
+      sum_each_chunk(threads_, std::size_t(body.node_count), nodes_per_chunk, samples_,
+                     [&](const Chunk& chunk, EnergySample& sum) {
+                       const std::size_t first = std::size_t(body.first_node);
+                       for (std::size_t i = chunk.begin; i < chunk.end; ++i) visit(first + i, body, sum);
+                     });
+      for (const EnergySample& sum : samples_) sample.add(sum);
+    }
+  }
   bool is_held(std::size_t node, int component) const { return (meshes_.held[node] >> component & 1) != 0; }
   double evaluate_forces();
-  void load_nodes_of(const SurfaceCell<D>& cell);
+  void load_nodes_at_surface();
+  CornerLoads load_of(const SurfaceCell<D>& cell) const;
   /// `to_end`: time from the node's present velocity to the end of the motion; 0 for its first half.
   void accelerate(std::size_t node, double to_end);
   void damp_by_ground(std::size_t node, double to_end);
@@ -104,18 +137,22 @@ class MeshMotion {
   bool keeps_upright();
   void sample_energy(std::size_t node, const Vector<D>& opposed, EnergySample& sample) const;
   void take_surface_stock(EnergySample& sample) const;
+  void end_kick(double duration, const VelocityChange<D>* kicks, EnergySample& sample);
 
   const WorldSettings<D>& settings_;
   Model<D>& model_;
   Meshes<D>& meshes_;
   ElementPass<D> elements_;
+  Threads* threads_;
   const ForcePass<D>& forces_;
   const VelocityChange<D>& kicks_;
   const VelocityChange<D>& reaction_;
-  Array<Vector<D>> acceleration_;  // per node, from the last forces
-  double largest_strain_ = 0;      // maximum over all cells, squared, at the last forces
-  double strain_energy_ = 0;       // of all elements, at the last forces
-  double duration_ = 0;            // of the predicted motion
+  Array<Vector<D>> acceleration_;     // per node, from the last forces
+  Array<CornerLoads> surface_loads_;  // of all surface cells on their nodes
+  Array<EnergySample> samples_;       // per chunk of nodes of a body
+  double largest_strain_ = 0;         // maximum over all cells, squared, at the last forces
+  double strain_energy_ = 0;          // of all elements, at the last forces
+  double duration_ = 0;               // of the predicted motion
   InvertedCell inverted_;
 };
 
