@@ -22,11 +22,16 @@ struct Plan {
   double block_steps;       ///< of each world in a pass
   int most_blocks_of_peer;  ///< Box2D's floats do not reach further
   int steps_of_peer;
-  bool random_order;
+  Order order;
 };
 
-Plan full_plan(bool random_order) { return {20, 50, {1, 10, 100, 1000}, 3, 4e6, 100000, 20, random_order}; }
-Plan quick_plan(bool random_order) { return {10, 10, {1, 10}, 1, 1e4, 1000, 2, random_order}; }
+Plan full_plan(Order order) { return {20, 50, {1, 10, 100, 1000}, 3, 4e6, 100000, 20, order}; }
+Plan quick_plan(Order order) { return {10, 10, {1, 10}, 1, 1e4, 1000, 2, order}; }
+
+const char* name_of(Order order) {
+  static const char* const names[] = {"bin by bin", "in random order", "along a curve"};
+  return names[int(order)];
+}
 
 hs_world_report report_of(hs_world* world, hs_context* context) {
   hs_world_report report;
@@ -40,8 +45,7 @@ double run(const Bin& bin, int bins, const Plan& plan, Random& random) {
   const hs_context_def def = memory.definition();
   const halfspace_test::Context context = halfspace_test::make_context(&def);
   halfspace_test::World world;
-  const double build =
-      seconds_of([&] { world = make_heap(context.get(), bin, bins, plan.random_order, random); });
+  const double build = seconds_of([&] { world = make_heap(context.get(), bin, bins, plan.order, random); });
 
   const double blocks = double(bins) * double(bin.grains.size());
   const int steps = std::max(2, int(plan.block_steps / blocks));
@@ -81,7 +85,7 @@ struct ThreadedHeap {
     def.threads = threads;
     context = halfspace_test::make_context(&def);
     Random random(2);
-    world = make_heap(context.get(), bin, bins, plan.random_order, random);
+    world = make_heap(context.get(), bin, bins, plan.order, random);
   }
   void step(int steps) const { require_ok(hs_world_step(world.get(), steps), context.get()); }
 };
@@ -103,9 +107,8 @@ void run_threads(const Plan& plan, int threads) {
 void run_all(const Plan& plan) {
   Random random(1);
   const Bin bin = settle_bin(plan.columns, plan.rows, plan.most_time, random);
-  std::printf("bin of %d triangles settled for %.2f s, left with at most %.1e m/s; blocks in %s order\n",
-              plan.columns * plan.rows, bin.settling_time, bin.largest_speed,
-              plan.random_order ? "random" : "bin by bin");
+  std::printf("bin of %d triangles settled for %.2f s, left with at most %.1e m/s; blocks %s\n",
+              plan.columns * plan.rows, bin.settling_time, bin.largest_speed, name_of(plan.order));
   std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "", "steps", "per block", "",
               "ns/blk-stp", "", "1e6 block", "B/block", "", "steady", "list", "largest", "build", "Box2D");
   std::printf("%8s %6s %8s %9s %8s %8s %9s %9s %9s %7s %7s %9s %7s %9s\n", "blocks", "a pass", "contacts",
@@ -121,8 +124,10 @@ void run_all(const Plan& plan) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const bool random_order = has_option(argc, argv, "--random-order");
-  const Plan plan = has_option(argc, argv, "--quick") ? quick_plan(random_order) : full_plan(random_order);
+  const Order order = has_option(argc, argv, "--random-order")  ? Order::random
+                      : has_option(argc, argv, "--along-curve") ? Order::along_curve
+                                                                : Order::bin_by_bin;
+  const Plan plan = has_option(argc, argv, "--quick") ? quick_plan(order) : full_plan(order);
   const int threads = threads_option(argc, argv);
   std::printf("libhalfspace %s, Box2D " BOX2D_VERSION ", core %d\n", hs_version(),
               threads > 0 ? -1 : pin_to_this_core());

@@ -79,7 +79,18 @@ struct Ids {
   }
 };
 
-Ids fill(hs_context* context, hs_world* world, const Bin& bin, int bins, bool random_order, Random& random) {
+/// The order by hs_points_order_along_curve(), from grains at random.
+void order_along_curve(hs_context* context, const std::vector<hs_pose>& poses,
+                       std::vector<std::size_t>& order) {
+  halfspace_test::Points places;
+  for (const std::size_t i : order) places.push_back({poses[i].position[0], poses[i].position[1]});
+  std::vector<int32_t> along(order.size());
+  require_ok(hs_points_order_along_curve(context, 2, halfspace_test::view_of(places), along.data()), context);
+  const std::vector<std::size_t> given = order;
+  std::transform(along.begin(), along.end(), order.begin(), [&](int32_t i) { return given[std::size_t(i)]; });
+}
+
+Ids fill(hs_context* context, hs_world* world, const Bin& bin, int bins, Order wanted, Random& random) {
   Ids ids;
   ids.floor = add_box(context, world, floor_of(bin, bins));
   for (int i = 0; i <= bins; ++i) ids.walls.push_back(add_box(context, world, wall_of(bin, i)));
@@ -88,12 +99,13 @@ Ids fill(hs_context* context, hs_world* world, const Bin& bin, int bins, bool ra
   ids.grains.resize(std::size_t(bins) * shapes.size());
   std::vector<std::size_t> order(ids.grains.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  if (random_order) std::shuffle(order.begin(), order.end(), random);
-  for (const std::size_t i : order) {
-    const std::size_t grain = i % shapes.size();
-    const hs_pose pose = pose_of(bin.grains[grain], double(i / shapes.size()) * spacing(bin));
-    ids.grains[i] = add_block(context, world, shapes[grain].get(), HS_BLOCK_RIGID, &pose);
-  }
+  std::vector<hs_pose> poses;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    poses.push_back(pose_of(bin.grains[i % shapes.size()], double(i / shapes.size()) * spacing(bin)));
+  if (wanted != Order::bin_by_bin) std::shuffle(order.begin(), order.end(), random);
+  if (wanted == Order::along_curve) order_along_curve(context, poses, order);
+  for (const std::size_t i : order)
+    ids.grains[i] = add_block(context, world, shapes[i % shapes.size()].get(), HS_BLOCK_RIGID, &poses[i]);
   return ids;
 }
 
@@ -157,7 +169,7 @@ Bin settle_bin(int columns, int rows, double most_time, Random& random) {
   const halfspace_test::Context context = halfspace_test::make_context();
   Bin bin = loose_bin(context.get(), columns, rows, random);
   const World world = make_world(context.get());
-  const Ids ids = fill(context.get(), world.get(), bin, 1, false, random);
+  const Ids ids = fill(context.get(), world.get(), bin, 1, Order::bin_by_bin, random);
 
   hs_world_report report;
   do {
@@ -177,9 +189,9 @@ Bin settle_bin(int columns, int rows, double most_time, Random& random) {
   return bin;
 }
 
-World make_heap(hs_context* context, const Bin& bin, int bins, bool random_order, Random& random) {
+World make_heap(hs_context* context, const Bin& bin, int bins, Order order, Random& random) {
   World world = make_world(context);
-  preload(context, world.get(), bin, bins, fill(context, world.get(), bin, bins, random_order, random));
+  preload(context, world.get(), bin, bins, fill(context, world.get(), bin, bins, order, random));
   return world;
 }
 

@@ -52,8 +52,10 @@ Box wall_of(const Bin& bin, int index);
 /// How far a bin stands from the one before.
 inline double spacing(const Bin& bin) { return bin.width + wall_thickness; }
 
-/// `bins` bins in one world, at rest. With `random_order`, neighbours in space are strangers in memory.
-halfspace_test::World make_heap(hs_context* context, const Bin& bin, int bins, bool random_order,
-                                Random& random);
+/// The order in which blocks are added. At random, neighbours in space are strangers in memory.
+enum class Order { bin_by_bin, random, along_curve };
+
+/// `bins` bins in one world, at rest.
+halfspace_test::World make_heap(hs_context* context, const Bin& bin, int bins, Order order, Random& random);
 
 }  // namespace halfspace_benchmark
