@@ -127,7 +127,9 @@ void NeighborList<D>::measure_boxes(const Blocks<D>& blocks) {
   });
   Box<D> reached;
   for (const Box<D>& box : boxes_) {
-    if (!box.is_empty()) reached.include(box.lower), reached.include(box.upper);
+    if (box.is_empty()) continue;
+    reached.include(box.lower);
+    reached.include(box.upper);
   }
   for_each_chunk(threads_, slots, things_per_chunk, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
