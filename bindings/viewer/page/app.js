@@ -128,7 +128,8 @@ class Viewer {
 
   // Layers, fields and ranges on show.
 
-  setLayer(name, isShown) {
+  async setLayer(name, isShown) {
+    if (name === "joints" && isShown) await this.layers.findJoints();
     this.layers.isShown[name] = isShown;
     this.controls.showLayer(name, isShown);
     const {uniforms} = this.picture.blockMesh;

@@ -76,18 +76,24 @@ class BlockMesh {
   pose(block) {
     const i = 8 * block, {states} = this;
     return {
-      place: new THREE.Vector3(states[i], states[i + 1], states[i + 2]),
+      place: vectorAt(states, i),
       rotation: new THREE.Quaternion(states[i + 4], states[i + 5], states[i + 6], states[i + 7]),
-      isPresent: states[i + 3] > -1e30,
     };
   }
 
-  /** The vertices of a block in the frame shown. */
-  verticesOf({number, vertices, vertexCount, firstNode}) {
+  isPresent(block) {
+    return this.states[8 * block + 3] > -1e30;
+  }
+
+  /** A vertex of a block in the frame shown. */
+  vertexAt({number, vertices, firstNode}, vertex) {
+    if (firstNode >= 0) return vectorAt(this.states, 4 * (this.firstNode + firstNode + vertex));
     const {place, rotation} = this.pose(number);
-    return Array.from({length: vertexCount}, (_, v) => firstNode < 0
-      ? new THREE.Vector3(...vertices.subarray(3 * v, 3 * v + 3)).applyQuaternion(rotation).add(place)
-      : new THREE.Vector3(...this.states.subarray(4 * (this.firstNode + firstNode + v)).subarray(0, 3)));
+    return vectorAt(vertices, 3 * vertex).applyQuaternion(rotation).add(place);
+  }
+
+  verticesOf(block) {
+    return Array.from({length: block.vertexCount}, (_, vertex) => this.vertexAt(block, vertex));
   }
 
   /** Leaves out the faces that look away from the camera, unless a section shows the inside of blocks. */

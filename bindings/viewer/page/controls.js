@@ -55,7 +55,7 @@ class Controls {
   joinLayers() {
     const {viewer} = this, {layers, recording} = viewer, available = layers.available();
     const kinds = {forces: ["Force chains", "compression"], points: ["Contact points", "point"], bolts: ["Bolts", "bolt"],
-      cracks: ["Cracks", "tensileCrack"], water: ["Water table", "water"]};
+      joints: ["Open joints", "joint"], cracks: ["Cracks", "tensileCrack"], water: ["Water table", "water"]};
     for (const name of available) {
       const [text, colour] = kinds[name], label = document.createElement("label");
       label.className = "check";

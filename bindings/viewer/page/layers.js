@@ -1,10 +1,11 @@
 "use strict";
 
-// Layers besides the blocks: contact forces and points, cracks, bolts, the water table.
+// Layers besides the blocks: contact forces and points, open joints, cracks, bolts, the water table.
 
 const layerColours = {
   compression: [0.93, 0.36, 0.2], tension: [0.2, 0.5, 0.95], point: [0.98, 0.78, 0.2], bolt: [0.15, 0.72, 0.62],
-  ruptured: [0.85, 0.2, 0.35], tensileCrack: [0.88, 0.13, 0.25], shearCrack: [0.6, 0.25, 0.8], water: [0.2, 0.55, 0.95],
+  ruptured: [0.85, 0.2, 0.35], joint: [0.93, 0.2, 0.7], tensileCrack: [0.88, 0.13, 0.25], shearCrack: [0.6, 0.25, 0.8],
+  water: [0.2, 0.55, 0.95],
 };
 
 class Layers {
@@ -12,17 +13,18 @@ class Layers {
     this.recording = recording;
     this.blockMesh = blockMesh;
     const isInFront = recording.dimension === 3;
-    this.bars = {forces: new Bars(isInFront), points: new Bars(isInFront), bolts: new Bars(isInFront), cracks: new Bars(false),
-      water: new Bars(false)};
+    this.bars = {forces: new Bars(isInFront), points: new Bars(isInFront), bolts: new Bars(isInFront), joints: new Bars(false),
+      cracks: new Bars(false), water: new Bars(false)};
     this.group = new THREE.Group();
     for (const {mesh} of Object.values(this.bars)) this.group.add(mesh);
     this.group.children.forEach((mesh, index) => { mesh.renderOrder = 1 + index; });
     this.waterSurface = waterSurface();
     this.group.add(this.waterSurface);
-    this.isShown = {forces: false, points: false, bolts: true, cracks: true, water: true};
+    this.isShown = {forces: false, points: false, bolts: true, joints: false, cracks: true, water: true};
     this.forceScale = 1;
     this.thicknesses = recording.blocks.map(thicknessOf);
     this.cracks = recording.cracks.map((crack) => ({...crack, local: null}));
+    this.joints = null;
   }
 
   /** The names of the layers that the recording has. */
@@ -32,6 +34,7 @@ class Layers {
     return [
       ...(has("contacts") ? ["forces", "points"] : []),
       ...(has("bolts") ? ["bolts"] : []),
+      ...(recording.frameCount > 1 ? ["joints"] : []),
       ...(recording.cracks.length > 0 ? ["cracks"] : []),
       ...(recording.water.length > 0 ? ["water"] : []),
     ];
@@ -47,6 +50,7 @@ class Layers {
     for (const bars of Object.values(this.bars)) bars.clear();
     if (this.isShown.forces || this.isShown.points) this.addContacts(frame);
     if (this.isShown.bolts) this.addBolts(frame);
+    if (this.isShown.joints) this.joints.addTo(this.bars.joints, [...layerColours.joint, 1]);
     if (this.isShown.cracks) this.addCracks(frame);
     this.showWater(frame);
     for (const bars of Object.values(this.bars)) bars.commit();
@@ -103,7 +107,7 @@ class Layers {
   addCracks(frame) {
     for (const {time, blocks, local, normal, is_shear: isShear} of this.cracks) {
       const poses = blocks.map((block) => this.blockMesh.pose(block));
-      if (time > frame.time || !local || !poses.every(({isPresent}) => isPresent)) continue;
+      if (time > frame.time || !local || !blocks.every((block) => this.blockMesh.isPresent(block))) continue;
       const [a, b] = poses.map(({place, rotation}, side) =>
         local[side].map((end) => end.clone().applyQuaternion(rotation).add(place)));
       const colour = [...(isShear ? layerColours.shearCrack : layerColours.tensileCrack), 1];
@@ -117,6 +121,14 @@ class Layers {
       const opening = [0, 1].reduce((sum, end) => sum + 0.5 * across.dot(b[end].clone().sub(a[end])), 0);
       this.bars.cracks.add(begin, end, 1.5, colour, Math.max(opening, 0));
     }
+  }
+
+  /** Finds the joints in the first frame, unless that is done. */
+  async findJoints() {
+    const {recording, blockMesh} = this, start = await recording.frame(0);
+    if (this.joints) return;
+    blockMesh.show(start, new Float32Array(recording.blocks.length));
+    this.joints = new Joints(recording, blockMesh, this.thicknesses);
   }
 
   /** Places the cracks in the frames of their blocks, by the frame at or before the time of each. */

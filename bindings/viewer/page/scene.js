@@ -84,7 +84,7 @@ async function boxOf(recording, blockMesh) {
   for (const number of new Set([0, recording.frameCount - 1])) {
     blockMesh.show(await recording.frame(number), values);
     for (const block of recording.blocks) {
-      if (!blockMesh.pose(block.number).isPresent) continue;
+      if (!blockMesh.isPresent(block.number)) continue;
       for (const vertex of blockMesh.verticesOf(block)) {
         vertex.toArray().forEach((coordinate, axis) => {
           all[axis].push(coordinate);

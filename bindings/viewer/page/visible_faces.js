@@ -13,7 +13,7 @@ class VisibleFaces {
     faces.forEach(({block, face}, index) => {
       const normal = normalOf(face, block.vertices);
       normal.toArray(this.normals, 3 * index);
-      this.offsets[index] = normal.dot(vertexOf(block.vertices, face[0]));
+      this.offsets[index] = normal.dot(vectorAt(block.vertices, 3 * face[0]));
     });
     const triangles = this.sizes.reduce((sum, size) => sum + size - 2, 0);
     this.index = new THREE.BufferAttribute(new Uint32Array(3 * triangles), 1);
@@ -78,12 +78,13 @@ class VisibleFaces {
   }
 }
 
-const vertexOf = (vertices, index) => new THREE.Vector3(...vertices.subarray(3 * index, 3 * index + 3));
+const vectorAt = (values, place) => new THREE.Vector3(values[place], values[place + 1], values[place + 2]);
 
 /** The outward normal of a face, as long as twice its area. */
-function normalOf(face, vertices) {
-  const [origin, ...others] = Array.from(face, (index) => vertexOf(vertices, index));
-  const normal = new THREE.Vector3(), along = others.map((vertex) => vertex.sub(origin));
+const normalOf = (face, vertices) => normalOfLoop(Array.from(face, (index) => vectorAt(vertices, 3 * index)));
+
+function normalOfLoop([origin, ...others]) {
+  const normal = new THREE.Vector3(), along = others.map((point) => point.clone().sub(origin));
   for (let i = 1; i < along.length; ++i) normal.add(new THREE.Vector3().crossVectors(along[i - 1], along[i]));
   return normal;
 }

@@ -43,8 +43,6 @@ class ViewerTest(unittest.TestCase):
         answer = subprocess.run([COMMAND, "run", SCENES / cls.scene, "-o", cls.output, "--view"], capture_output=True, text=True)
         assert answer.returncode == 0, answer.stderr + answer.stdout
         assert "view.html: 9 frames of 3 blocks" in answer.stdout, answer.stdout
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.driver.quit)
         cls.browser.open(cls.output / "view.html")
 
     def setUp(self):
@@ -224,6 +222,27 @@ class Cracks(ViewerTest):
             self.assertLess(around, 1.005)
 
 
+class OpenJoints(ViewerTest):
+    scene = "joints.toml"
+
+    def test_opening(self):
+        """A brick leaves a wall at 0.1 m/s, and their joint is drawn in the middle between them, as wide as it is."""
+        self.browser.run("await viewer.setLayer('joints', true)")
+        for number in range(9):
+            self.go_to(number)
+            bars = np.array(self.browser.run(
+                "const {begins, ends, widths, count} = viewer.layers.bars.joints;"
+                "return count === 0 ? [] : [...begins.slice(0, 2), ...ends.slice(0, 2), widths[1], count]"))
+            opening = 0.01 * number
+            wanted = [2 + opening / 2, 1, 2 + opening / 2, 2, opening, 1] if number > 0 else []
+            np.testing.assert_allclose(bars, wanted, atol=1e-3)  # the other brick stays, so its joint is no bar
+
+    def test_parted_blocks_have_no_joint(self):
+        self.browser.run("await viewer.setLayer('joints', true); viewer.picture.blockMesh.states[8] += 0.2;"
+                         "viewer.layers.show(viewer.frame)")
+        self.assertEqual(self.browser.run("return viewer.layers.bars.joints.count"), 0)
+
+
 class Space(ViewerTest):
     scene = "space.toml"
 
@@ -271,6 +290,19 @@ class Space(ViewerTest):
         self.assert_colour(self.colour_at(self.pixel_of((0.5, 0, 4.5)), shown), self.colour_at((300, 200), shown))
         self.assertGreater(np.abs(self.colour_at(self.pixel_of((-1, 0, 0.5)), shown) - background).max(), 20)
 
+    def test_open_joint(self):
+        """The joint of a block on the floor has the corners of its lower face, also where a tilt opens it."""
+        bars = ("const {begins, count} = viewer.layers.bars.joints;"
+                "return Array.from({length: count}, (_, i) => [...begins.slice(3 * i, 3 * i + 3)])")
+        self.browser.run("await viewer.setLayer('joints', true)")
+        self.assertEqual(self.browser.run(bars), [])
+        self.browser.run("const {states} = viewer.picture.blockMesh; states[2] += 0.05;"
+                         "states[5] = Math.sin(0.02); states[7] = Math.cos(0.02); viewer.layers.show(viewer.frame)")
+        corners = np.array(sorted(self.browser.run(bars)))
+        # The middle between the floor and the block, whose sides are at most 0.5 tan 0.04 higher and lower.
+        np.testing.assert_allclose(corners[:, :2], [[-2, -0.5], [-2, 0.5], [-1, -0.5], [-1, 0.5]], atol=0.02)
+        np.testing.assert_allclose(corners[:, 2], 0.025 + 0.01 * np.array([1, 1, -1, -1]), atol=1e-3)
+
     def test_forces_are_seen_through_blocks(self):
         self.browser.run("viewer.setLayer('forces', true); await viewer.player.goTo(8)")
         self.assertEqual(self.browser.run("return viewer.picture.blockMesh.uniforms.opacity.value"), 0.25)
@@ -278,4 +310,5 @@ class Space(ViewerTest):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    with Browser() as ViewerTest.browser:
+        unittest.main(argv=sys.argv[:1])
