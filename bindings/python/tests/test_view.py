@@ -73,8 +73,10 @@ def test_forces_of_a_resting_block(tmp_path):
     recording = hs.Recording(world)
     recording.add()
     contacts = columns_of(header_of(hs.view(recording, tmp_path / "page.html").path), "contacts")
-    force = world.contacts()[0].force[1]
-    assert abs(force) > 0 and contacts["force_y"]["high"] == pytest.approx(force, rel=1e-12)
+    force = world.contacts()[0].force
+    size = np.linalg.norm(force)
+    assert size > 0 and contacts["force"]["high"] == pytest.approx(size, rel=1e-12)
+    assert contacts["direction_y"]["high"] == pytest.approx(force[1] / size, rel=1e-12)
 
 
 def test_a_run_of_the_command_and_its_faults(tmp_path):

@@ -45,21 +45,22 @@ class ByteReader {
   }
 }
 
-/** A column as it is stored: differences of whole numbers, of all frames, in planes of bytes. */
+/** A column as it is stored: whole numbers of all frames or their differences, in planes of bytes. */
 class PackedColumn {
-  constructor(reader, itemCount, frameCount, step) {
-    Object.assign(this, {itemCount, step, total: itemCount * frameCount, order: reader.byte(), planeCount: reader.byte()});
+  constructor(reader, itemCount, frameCount, {step, dropped_bits: droppedBits}) {
+    Object.assign(this, {itemCount, step, droppedBits, total: itemCount * frameCount});
+    this.order = reader.byte();
+    this.planeCount = reader.byte();
     this.bytes = reader.view(this.planeCount * this.total);
   }
 
-  /** The values, frame after frame: multiples of a step, or the upper halves of floats. */
+  /** The values, frame after frame: multiples of a step, or floats whose lower bits have been dropped. */
   unpacked() {
-    const codes = this.codes(), {step, total} = this, values = new Float32Array(step > 0 ? total : codes.buffer);
-    for (let i = 0; i < total; ++i) {
-      if (step > 0) values[i] = codes[i] * step;
-      else codes[i] <<= 16;
-    }
-    return values;
+    const codes = this.codes(), {step, droppedBits, total} = this;
+    if (step) return Float32Array.from(codes, (code) => code * step);
+    for (let i = 0; i < total; ++i)
+      codes[i] = codes[i] < 0 ? (-codes[i] << droppedBits) | 0x80000000 : codes[i] << droppedBits;
+    return new Float32Array(codes.buffer);
   }
 
   codes() {

@@ -42,8 +42,7 @@ class Layers {
 
   /** The force that has a bar of the usual width. */
   get usualForce() {
-    const components = this.recording.description("contacts").filter(({name}) => name.startsWith("force_"));
-    return Math.max(...components.flatMap(({usual_low: low, usual_high: high}) => [Math.abs(low), Math.abs(high)])) || 1;
+    return this.recording.description("contacts").find(({name}) => name === "force").usual_high || 1;
   }
 
   show(frame) {
@@ -61,25 +60,20 @@ class Layers {
     if (count === 0) return;
     const column = (name) => frame.column("contacts", name);
     const present = column("present"), blockA = column("block_a"), blockB = column("block_b");
-    const at = ["x", "y", "z"].slice(0, dimension).map(column);
-    const force = ["force_x", "force_y", "force_z"].slice(0, dimension).map(column);
+    const axes = ["x", "y", "z"].slice(0, dimension), at = axes.map(column);
+    const force = column("force"), direction = axes.map((axis) => column(`direction_${axis}`));
     const isTension = column("is_tension");
     const usual = this.usualForce, usualWidth = 5 * this.forceScale, maxWidth = 3 * usualWidth;
     const point = [0, 0, 0], begin = [0, 0, 0], end = [0, 0, 0];
     for (let c = 0; c < count; ++c) {
       if (present[c] === 0) continue;
-      let size = 0;
-      for (let axis = 0; axis < dimension; ++axis) {
-        point[axis] = at[axis][c];
-        size += force[axis][c] ** 2;
-      }
-      size = Math.sqrt(size);
-      const width = Math.min((usualWidth * size) / usual, maxWidth);
+      for (let axis = 0; axis < dimension; ++axis) point[axis] = at[axis][c];
+      const width = Math.min((usualWidth * force[c]) / usual, maxWidth);
       if (this.isShown.forces && width > 0.15) {
-        const half = 0.5 * Math.min(this.thicknesses[blockA[c]], this.thicknesses[blockB[c]]) / size;
+        const half = 0.5 * Math.min(this.thicknesses[blockA[c]], this.thicknesses[blockB[c]]);
         for (let axis = 0; axis < dimension; ++axis) {
-          begin[axis] = point[axis] - half * force[axis][c];
-          end[axis] = point[axis] + half * force[axis][c];
+          begin[axis] = point[axis] - half * direction[axis][c];
+          end[axis] = point[axis] + half * direction[axis][c];
         }
         const colour = isTension[c] ? layerColours.tension : layerColours.compression;
         this.bars.forces.add(begin, end, width, [...colour, 0.9]);
@@ -176,14 +170,12 @@ class Layers {
 
   /** The forces of all contacts of a block in a frame, largest first. */
   contactsOf(block, frame) {
-    const count = frame.count("contacts"), {dimension} = this.recording, contacts = [];
+    const count = frame.count("contacts"), contacts = [];
     if (count === 0) return contacts;
-    const column = (name) => frame.column("contacts", name);
-    const [present, a, b] = ["present", "block_a", "block_b"].map(column);
-    const force = ["force_x", "force_y", "force_z"].slice(0, dimension).map(column);
+    const [present, a, b, force] = ["present", "block_a", "block_b", "force"].map((name) => frame.column("contacts", name));
     for (let c = 0; c < count; ++c) {
       if (present[c] === 0 || (a[c] !== block && b[c] !== block)) continue;
-      contacts.push({other: a[c] === block ? b[c] : a[c], force: Math.hypot(...force.map((values) => values[c]))});
+      contacts.push({other: a[c] === block ? b[c] : a[c], force: force[c]});
     }
     return contacts.sort((one, two) => two.force - one.force);
   }

@@ -6,8 +6,8 @@ class GroupTable {
     this.itemCount = reader.whole();
     this.columns = new Map();
     const columnCount = reader.byte();
-    for (const {name, step} of description.columns.slice(0, columnCount))
-      this.columns.set(name, new PackedColumn(reader, this.itemCount, frameCount, step));
+    for (const column of description.columns.slice(0, columnCount))
+      this.columns.set(column.name, new PackedColumn(reader, this.itemCount, frameCount, column));
   }
 
   /** A column in a frame of the group. */

@@ -14,7 +14,7 @@ namespace {
 /// The columns of a block and of a contact that stand at a fixed place.
 constexpr std::size_t present = 0, first_coordinate = 1;
 
-constexpr double rotation_step = 0x1p-12;
+constexpr double rotation_step = 0x1p-12, direction_step = 0x1p-6;
 constexpr double positions_per_size = 2048;  // of a block
 constexpr std::size_t max_frames_per_group = 32, values_per_group = 400000;
 
@@ -106,7 +106,8 @@ void Recording::make_tables() {
   add_axes(contacts, "", "m", dimension_, Coding::lattice, 8 * step);
   for (const char* name : {"block_a", "block_b"})
     contacts.push_back({.name = name, .coding = Coding::lattice, .step = 1});
-  add_axes(contacts, "force_", "N", dimension_, Coding::coarse);
+  contacts.push_back({.name = "force", .unit = "N", .coding = Coding::coarse});
+  add_axes(contacts, "direction_", "", dimension_, Coding::lattice, direction_step);
   contacts.push_back({.name = "is_tension", .coding = Coding::flag});
   add_axes(bolts, "a", "m", dimension_, Coding::lattice, step);
   add_axes(bolts, "b", "m", dimension_, Coding::lattice, step);
@@ -192,14 +193,14 @@ void Recording::set_contacts(std::vector<ContactForce> contacts) {
     const std::size_t item = found->second;
     std::size_t column = present;
     const auto set = [&](double value) { of_contacts_.set(column++, item, value); };
-    const auto set_point = [&](const Point& point) {
-      for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) set(point[axis]);
-    };
+    const auto axis_count = static_cast<std::size_t>(dimension_);
+    const double force = std::sqrt(square(contact.force));
     set(1);
-    set_point(contact.point);
+    for (std::size_t axis = 0; axis < axis_count; ++axis) set(contact.point[axis]);
     set(static_cast<double>(contact.block_a));
     set(static_cast<double>(contact.block_b));
-    set_point(contact.force);
+    set(force);
+    for (std::size_t axis = 0; axis < axis_count; ++axis) set(force > 0 ? contact.force[axis] / force : 0);
     set(contact.normal_force < 0 ? 1 : 0);
   }
 }

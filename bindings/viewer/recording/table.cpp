@@ -1,6 +1,7 @@
 #include "recording/table.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -16,6 +17,9 @@ constexpr double negligible = 1e-6;  // over the largest value so far
 
 bool is_float(Coding coding) { return coding == Coding::rounded || coding == Coding::coarse; }
 
+/// The bits of a float that are left out.
+int dropped_bits(Coding coding) { return coding == Coding::coarse ? 19 : 16; }
+
 /// A value as the whole number that stands for it.
 std::int64_t code_of(const Column& column, double value) {
   if (column.coding == Coding::lattice) {
@@ -23,10 +27,10 @@ std::int64_t code_of(const Column& column, double value) {
     return std::llround(std::clamp(value / column.step, -limit, limit));
   }
   if (column.coding == Coding::flag) return std::isnan(value) ? 0 : std::llround(value);
-  const int dropped = column.coding == Coding::coarse ? 19 : 16;  // of the 32 bits
-  const std::uint64_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  const std::uint64_t kept = (bits + (1ULL << (dropped - 1))) >> dropped << (dropped - 16);
-  return static_cast<std::int64_t>(std::min<std::uint64_t>(kept, 0xffff));
+  const int dropped = dropped_bits(column.coding);
+  const std::int64_t bits = std::bit_cast<std::uint32_t>(std::abs(static_cast<float>(value)));
+  const std::int64_t code = (bits + (1LL << (dropped - 1))) >> dropped;
+  return value < 0 ? -code : code;
 }
 
 /// The codes of all frames. Where a value is unset, a flag is 0, and another column keeps the value that it
@@ -51,10 +55,20 @@ std::vector<std::vector<std::int64_t>> codes_of(const Column& column, std::size_
   return codes;
 }
 
-/// The differences between consecutive frames; the first frame remains.
-void take_differences(std::vector<std::vector<std::int64_t>>& frames) {
-  for (std::size_t f = frames.size(); f-- > 1;)
-    for (std::size_t i = 0; i < frames[f].size(); ++i) frames[f][i] -= frames[f - 1][i];
+/// The codes of all frames, and how often the differences from frame to frame were taken.
+struct Codes {
+  std::vector<std::vector<std::int64_t>> frames;
+  int order = 0;
+};
+
+/// The differences between consecutive frames, of numbers of 32 bits that wrap around; the first frame
+/// remains.
+Codes differences_of(Codes codes) {
+  for (std::size_t f = codes.frames.size(); f-- > 1;)
+    for (std::size_t i = 0; i < codes.frames[f].size(); ++i)
+      codes.frames[f][i] = static_cast<std::int32_t>(codes.frames[f][i] - codes.frames[f - 1][i]);
+  ++codes.order;
+  return codes;
 }
 
 /// Small for numbers near 0 of either sign.
@@ -62,35 +76,58 @@ std::uint64_t zigzag(std::int64_t value) {
   return static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
 }
 
-/// The number of binary digits of all values: a measure of their size when compressed.
-double digits_of(const std::vector<std::vector<std::int64_t>>& frames) {
+/// The byte of all values at this place, the lowest one first.
+std::string plane_of(const Codes& codes, int plane) {
+  std::string bytes;
+  for (const auto& frame : codes.frames)
+    for (const std::int64_t value : frame) bytes += static_cast<char>(zigzag(value) >> 8 * plane & 255);
+  return bytes;
+}
+
+/// All bytes of the values but those that are 0 in every one.
+std::vector<std::string> planes_of(const Codes& codes) {
+  std::uint64_t united = 0;
+  for (const auto& frame : codes.frames)
+    for (const std::int64_t value : frame) united |= zigzag(value);
+  std::vector<std::string> planes;
+  for (int plane = 0; united >> 8 * plane != 0; ++plane) planes.push_back(plane_of(codes, plane));
+  return planes;
+}
+
+/// The entropy of the bytes in bits: about their size when compressed.
+double entropy_of(const std::string& bytes) {
+  std::array<std::size_t, 256> counts{};
+  for (const char byte : bytes) ++counts[static_cast<unsigned char>(byte)];
+  double entropy = 0;
+  for (const std::size_t count : counts)
+    if (count > 0)
+      entropy += static_cast<double>(count) *
+                 std::log2(static_cast<double>(bytes.size()) / static_cast<double>(count));
+  return entropy;
+}
+
+double entropy_of(const std::vector<std::string>& planes) {
   double sum = 0;
-  for (const auto& frame : frames)
-    for (const std::int64_t value : frame) sum += static_cast<double>(std::bit_width(zigzag(value)));
+  for (const std::string& plane : planes) sum += entropy_of(plane);
   return sum;
 }
 
-/// The number of differences taken, the bytes per number, then the numbers, with all lowest bytes first.
+/// The order of differences with the smallest entropy, the bytes per number, then the planes of bytes.
 void append(std::string& bytes, const Column& column, std::size_t item_count) {
-  std::vector<std::vector<std::int64_t>> frames = codes_of(column, item_count);
-  take_differences(frames);
-  std::vector<std::vector<std::int64_t>> twice = frames;
-  take_differences(twice);
-  char order = 1;
-  if (digits_of(twice) < digits_of(frames)) {
-    frames = std::move(twice);
-    order = 2;
+  constexpr int max_order = 2;
+  Codes codes{codes_of(column, item_count)};
+  std::vector<std::string> planes = planes_of(codes);
+  int order = 0;
+  while (codes.order < max_order) {
+    codes = differences_of(std::move(codes));
+    std::vector<std::string> others = planes_of(codes);
+    if (entropy_of(others) >= entropy_of(planes)) continue;
+    planes = std::move(others);
+    order = codes.order;
   }
-  int width = 0;
-  for (const auto& frame : frames)
-    for (const std::int64_t value : frame)
-      width = std::max(width, static_cast<int>(std::bit_width(zigzag(value))));
-  const int planes = (width + 7) / 8;
-  bytes += order;
-  bytes += static_cast<char>(planes);
-  for (int plane = 0; plane < planes; ++plane)
-    for (const auto& frame : frames)
-      for (const std::int64_t value : frame) bytes += static_cast<char>(zigzag(value) >> 8 * plane & 255);
+  bytes += static_cast<char>(order);
+  bytes += static_cast<char>(planes.size());
+  for (const std::string& plane : planes) bytes += plane;
 }
 
 }  // namespace
@@ -164,7 +201,8 @@ std::string Table::description() const {
     const Column& column = columns_[c];
     text += std::string(c > 0 ? "," : "") + "{\"name\":" + json(column.name) +
             ",\"unit\":" + json(column.unit) +
-            ",\"step\":" + json(is_float(column.coding) ? 0.0 : column.step) +
+            (is_float(column.coding) ? ",\"dropped_bits\":" + std::to_string(dropped_bits(column.coding))
+                                     : ",\"step\":" + json(column.step)) +
             ",\"low\":" + json(ranges_[c].low) + ",\"high\":" + json(ranges_[c].high) +
             ",\"usual_low\":" + json(ranges_[c].quantile(0.01)) +
             ",\"usual_high\":" + json(ranges_[c].quantile(0.99)) + '}';

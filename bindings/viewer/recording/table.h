@@ -37,8 +37,8 @@ struct Range {
 };
 
 /// A table of items, such as blocks or contacts, whose values change from frame to frame. Frames are packed
-/// in groups; a group is a list of whole numbers, each of which is stored as its difference from the frame
-/// before.
+/// in groups; a group is a list of whole numbers, which are stored as they are, or as their differences from
+/// frame to frame.
 class Table {
  public:
   Table(std::string name, std::vector<Column> columns);

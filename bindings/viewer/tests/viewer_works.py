@@ -18,12 +18,17 @@ SCENES = pathlib.Path(__file__).parent / "scenes"
 GRAVITY = 9.81
 
 
-def frame_of(path):
-    """The points of a frame, and the blocks of its cells, by VTK's own reader."""
+def frame_at(path):
+    """A frame by VTK's own reader."""
     reader = vtk.vtkXMLPolyDataReader()
     reader.SetFileName(str(path))
     reader.Update()
-    data = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def vertices_at(path):
+    """The vertices of all blocks in a frame."""
+    data = frame_at(path)
     blocks = vtk_to_numpy(data.GetCellData().GetArray("block"))
     corners = {}
     for cell, block in enumerate(blocks):
@@ -56,6 +61,9 @@ class ViewerTest(unittest.TestCase):
     def go_to(self, number):
         self.browser.run("await viewer.player.goTo(a[0])", number)
 
+    def frame_path(self, number):
+        return self.output / "frames" / f"frame_{number:04}.vtp"
+
     def colour_at(self, pixel, screenshot):
         """The median of nine pixels, so that no smoothed line between two colours counts."""
         x, y = round(pixel[0]), round(pixel[1])
@@ -72,7 +80,7 @@ class ViewerTest(unittest.TestCase):
                 "const {blockMesh} = viewer.picture; return viewer.recording.blocks.map((block) => "
                 "blockMesh.verticesOf(block).map((vertex) => vertex.toArray()))"
             )
-            for block, vertices in frame_of(self.output / "frames" / f"frame_{number:04}.vtp").items():
+            for block, vertices in vertices_at(self.frame_path(number)).items():
                 distances = np.linalg.norm(vertices[:, None] - np.array(shown[block])[None], axis=2)
                 # Half a step of each coordinate, 1/2048 of a block, and half a step of 1/4096 in the rotation.
                 self.assertLess(distances.min(axis=1).max(), 1e-3)
@@ -141,6 +149,17 @@ class Plane(ViewerTest):
         self.assertEqual(len(times), 9)
         for time, value in zip(times, values):
             self.assertAlmostEqual(value, 0.5 * GRAVITY * time**2, delta=2e-3)
+
+    def test_stresses(self):
+        """Stresses of a block on the floor, where compression is negative, are those of the frames."""
+        self.browser.run("await viewer.setField(viewer.fields.find((field) => field.name === 'stress yy'))")
+        for number in range(9):
+            self.go_to(number)
+            shown = self.browser.run("return [...viewer.field.valuesIn(viewer.frame)]")
+            cells = frame_at(self.frame_path(number)).GetCellData()
+            blocks, stresses = (vtk_to_numpy(cells.GetArray(name)) for name in ("block", "stress"))
+            np.testing.assert_allclose(np.array(shown)[blocks], stresses[:, 4], rtol=1 / 256)
+        self.assertLess(stresses[:, 4].min(), -1000)
 
     def test_materials(self):
         self.browser.run("await viewer.setField(viewer.fields.find((field) => field.name === 'material'))")
