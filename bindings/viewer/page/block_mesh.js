@@ -27,7 +27,6 @@ class BlockMesh {
         edgeColour: {value: new THREE.Color("#10151c")},
         edgeOpacity: {value: 0.75},
         section: {value: new THREE.Vector4(0, 0, 1, 0)},
-        hasSection: {value: false},
         isPicking: {value: false},
         selected: {value: -1},
         missingColour: {value: new THREE.Color("#8a8f98")},
@@ -58,7 +57,7 @@ class BlockMesh {
         states[i + 7] = Math.cos(angle[b] / 2);
         continue;
       }
-      const length = Math.hypot(qx[b], qy[b], qz[b], qw[b]) || 1;
+      const length = Math.sqrt(qx[b] ** 2 + qy[b] ** 2 + qz[b] ** 2 + qw[b] ** 2) || 1;
       states[i + 4] = qx[b] / length;
       states[i + 5] = qy[b] / length;
       states[i + 6] = qz[b] / length;
@@ -98,7 +97,7 @@ class BlockMesh {
 
   /** Leaves out the faces that look away from the camera, unless a section shows the inside of blocks. */
   prepare(camera) {
-    if (this.recording.dimension === 2 || this.uniforms.hasSection.value) this.visibleFaces.showAll();
+    if (this.recording.dimension === 2 || this.hasSection) this.visibleFaces.showAll();
     else this.visibleFaces.show(camera, this.states);
   }
 
@@ -111,8 +110,9 @@ class BlockMesh {
 
   /** Removes what is ahead of a plane, or shows all if there is none. */
   setSection(plane) {
-    this.uniforms.hasSection.value = plane !== null;
+    this.hasSection = plane !== null;
     if (plane) this.uniforms.section.value.copy(plane);
+    Object.assign(this.material, {defines: this.hasSection ? {HAS_SECTION: ""} : {}, needsUpdate: true});
     this.material.side = plane || this.recording.dimension === 2 ? THREE.DoubleSide : THREE.FrontSide;
   }
 }
@@ -121,7 +121,7 @@ class BlockMesh {
 function meshGeometry(blocks) {
   let corners = 0;
   for (const {faces} of blocks) for (const face of faces) corners += face.length;
-  const positions = new Float32Array(3 * corners), edges = new Uint8Array(4 * corners);
+  const positions = new Float32Array(3 * corners), edges = new Uint8Array(3 * corners);
   const owners = new Float32Array(2 * corners), across = new Float32Array(3 * corners);
   let corner = 0;
   for (const {number, firstNode, vertices, faces} of blocks) {
@@ -129,7 +129,7 @@ function meshGeometry(blocks) {
       const normal = firstNode < 0 ? normalOf(face, vertices).toArray() : null;
       face.forEach((vertex, place) => {
         positions.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
-        edges.set(distancesFromEdges(place, face.length), 4 * corner);
+        edges.set(distancesFromEdges(place, face.length), 3 * corner);
         owners[2 * corner] = number;
         owners[2 * corner + 1] = firstNode < 0 ? -1 : firstNode + vertex;
         across.set(normal || [1, face.length - 1].map((step) => firstNode + face[(place + step) % face.length]), 3 * corner);
@@ -139,18 +139,17 @@ function meshGeometry(blocks) {
   }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-  geometry.setAttribute("edges", new THREE.BufferAttribute(edges, 4, true));
+  geometry.setAttribute("edges", new THREE.BufferAttribute(edges, 3, true));
   geometry.setAttribute("owner", new THREE.BufferAttribute(owners, 2));
   geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
   return geometry;
 }
 
-/** The distances of a corner from the edges of its face, in four classes: 0 on an edge of the class, else 255. The first
-    edge and the last have a class each, those between them two in turns. So no class is 0 along a whole diagonal from
-    the first corner, which is a side of two triangles and no edge. */
+/** The distances of a corner from the edges of its face, in three classes: 0 on an edge of the class, else 255. The first
+    edge and the last have a class each, all between them the third one. So no class is 0 along a whole diagonal from the
+    first corner, which is a side of two triangles and no edge. */
 function distancesFromEdges(place, size) {
-  const classOf = (edge) => edge === 0 ? 0 : edge === size - 1 ? 1 : 2 + edge % 2;
-  const distances = [255, 255, 255, 255];
-  for (const edge of [place, (place + size - 1) % size]) distances[classOf(edge)] = 0;
+  const distances = [255, 255, 255];
+  for (const edge of [place, (place + size - 1) % size]) distances[edge === 0 ? 0 : edge === size - 1 ? 1 : 2] = 0;
   return distances;
 }

@@ -56,11 +56,12 @@ class PackedColumn {
 
   /** The values, frame after frame: multiples of a step, or floats whose lower bits have been dropped. */
   unpacked() {
-    const codes = this.codes(), {step, droppedBits, total} = this;
-    if (step) return Float32Array.from(codes, (code) => code * step);
-    for (let i = 0; i < total; ++i)
-      codes[i] = codes[i] < 0 ? (-codes[i] << droppedBits) | 0x80000000 : codes[i] << droppedBits;
-    return new Float32Array(codes.buffer);
+    const codes = this.codes(), {step, droppedBits, total} = this, values = new Float32Array(step ? total : codes.buffer);
+    for (let i = 0; i < total; ++i) {
+      if (step) values[i] = codes[i] * step;
+      else codes[i] = codes[i] < 0 ? (-codes[i] << droppedBits) | 0x80000000 : codes[i] << droppedBits;
+    }
+    return values;
   }
 
   codes() {

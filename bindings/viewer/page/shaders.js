@@ -2,6 +2,7 @@
 
 // Blocks are drawn at once. Each vertex looks up the pose of its block, or its own place as a node, in a texture, and
 // has the colour and the light of its whole face: by software, a fragment costs as much as a vertex, and there are more.
+// For the same reason a fragment knows one distance from an edge, the least of three, and the section only if there is one.
 
 const blockVertexShader = `
 precision highp float;
@@ -15,11 +16,16 @@ uniform vec3 missingColour;
 uniform bool isFlat;             // 2D: no light
 uniform bool isPicking;
 uniform float selected;
-in vec4 edges;                   // distance from the edges of four classes, 0 or 1
+#ifdef HAS_SECTION
+uniform vec4 section;            // plane: normal, and offset along it
+#endif
+in vec3 edges;                   // distance from the edges of three classes, 0 or 1
 in vec2 owner;                   // block, and node or -1
 in vec3 across;                  // normal of the face; at a node, the next and the previous node of the face
-out vec4 edge;
-out vec3 place;
+out vec3 edge;
+#ifdef HAS_SECTION
+out float ahead;                 // of the section
+#endif
 flat out vec4 tone;              // colour and light
 
 vec4 texel(float index) {
@@ -53,8 +59,11 @@ void main() {
   vec4 at = texel(2.0 * owner.x);
   vec4 q = texel(2.0 * owner.x + 1.0);
   bool isNode = owner.y >= 0.0;
-  place = isNode ? texel(firstNode + owner.y).xyz : at.xyz + rotated(q, position);
+  vec3 place = isNode ? texel(firstNode + owner.y).xyz : at.xyz + rotated(q, position);
   edge = edges;
+#ifdef HAS_SECTION
+  ahead = dot(section.xyz, place) - section.w;
+#endif
   if (isPicking) {
     tone = vec4(numberAsColour(owner.x + 1.0), 1.0);
   } else {
@@ -78,15 +87,17 @@ uniform bool isFlat;
 uniform float opacity;
 uniform vec3 edgeColour;
 uniform float edgeOpacity;
-uniform vec4 section;      // plane: normal, and offset along it
-uniform bool hasSection;
 uniform bool isPicking;
-in vec4 edge;
-in vec3 place;
+in vec3 edge;
+#ifdef HAS_SECTION
+in float ahead;
+#endif
 flat in vec4 tone;
 
 void main() {
-  if (hasSection && dot(section.xyz, place) > section.w) discard;
+#ifdef HAS_SECTION
+  if (ahead > 0.0) discard;
+#endif
   if (isPicking) {
     gl_FragColor = tone;
     return;
@@ -94,13 +105,11 @@ void main() {
   // A section shows the inside of a cut block in one even tone, which looks like its cut face.
   bool isOutside = isFlat || gl_FrontFacing;
   vec3 colour = tone.rgb * (isOutside ? tone.a : 0.75);
-  vec4 width = fwidth(edge);
-  vec4 distance = edge / max(width, vec4(1e-6));
-  float nearest = min(min(distance.x, distance.y), min(distance.z, distance.w));
-  float line = 1.0 - smoothstep(0.4, 1.3, nearest);
+  float distance = min(min(edge.x, edge.y), edge.z);
+  float width = max(fwidth(distance), 1e-6);
+  float line = clamp(1.4 - distance / width, 0.0, 1.0);
   // Blocks of a few pixels would be all edge.
-  float size = 1.0 / max(max(width.x, width.y), max(width.z, width.w));
-  line *= smoothstep(2.0, 10.0, size) * (isOutside ? 1.0 : 0.0);
+  line *= clamp(0.125 / width - 0.25, 0.0, 1.0) * (isOutside ? 1.0 : 0.0);
   colour = mix(colour, edgeColour, line * edgeOpacity);
   gl_FragColor = vec4(colour, opacity);
 }
