@@ -10,6 +10,7 @@ class BlockMesh {
     const width = Math.min(2048, texels), height = Math.ceil(texels / width);
     this.states = new Float32Array(4 * width * height);
     this.firstNode = 2 * blocks.length;
+    for (const {number} of blocks) this.states[8 * number + 7] = 1;  // the rotation of still blocks
     this.texture = new THREE.DataTexture(this.states, width, height, THREE.RGBAFormat, THREE.FloatType);
     const {dimension} = recording;
     this.material = new THREE.ShaderMaterial({
@@ -46,12 +47,13 @@ class BlockMesh {
       ["x", "y", "z", "angle", "qx", "qy", "qz", "qw"].map((name) => frame.column("blocks", name));
     const hidden = -2e30, missing = 2e30;
     for (let b = 0, i = 0; b < blocks.length; ++b, i += 8) {
-      const value = values[b];
+      const value = values[b], isColoured = Number.isFinite(value) && !(hasGreyFixed && isFixed(blocks[b]));
+      const isShown = blocks[b].isStill ? frame.number < blocks[b].frameCount : present[b] !== 0;
+      states[i + 3] = !isShown ? hidden : isColoured ? value : missing;
+      if (blocks[b].isStill) continue;
       states[i] = x[b];
       states[i + 1] = y[b];
       states[i + 2] = dimension === 3 ? z[b] : 0;
-      const isColoured = Number.isFinite(value) && !(hasGreyFixed && isFixed(blocks[b]));
-      states[i + 3] = present[b] === 0 ? hidden : isColoured ? value : missing;
       if (dimension === 2) {
         states[i + 6] = Math.sin(angle[b] / 2);
         states[i + 7] = Math.cos(angle[b] / 2);

@@ -33,12 +33,13 @@ class Inspector {
     const b = block.number, column = (name) => frame.column("blocks", name);
     const rows = [["number", String(b)], ["kind", kindNames[block.kind] || String(block.kind)],
       ["material", recording.materials[block.material] || String(block.material)]];
-    if (column("present")[b] === 0) {
+    if (!isIn(frame, block)) {
       rows.push(["state", "removed"]);
     } else {
-      const place = ["x", "y", "z"].slice(0, recording.dimension).map((axis) => shortNumber(column(axis)[b]));
-      rows.push(["centroid", `${place.join(", ")} m`]);
-      if (column("angle")) rows.push(["angle", `${shortNumber((column("angle")[b] * 180) / Math.PI)}°`]);
+      const axes = block.isStill ? [] : ["x", "y", "z"].slice(0, recording.dimension);
+      const place = axes.map((axis) => shortNumber(column(axis)[b]));
+      if (place.length > 0) rows.push(["centroid", `${place.join(", ")} m`]);
+      if (place.length > 0 && column("angle")) rows.push(["angle", `${shortNumber((column("angle")[b] * 180) / Math.PI)}°`]);
       for (const field of fields) {
         if (field.categories) continue;
         const value = field.valuesIn(frame)[b];
@@ -69,13 +70,13 @@ class Inspector {
 
   async chartHistory(field) {
     const {block, recording, chart} = this;
-    if (!block || field.categories || this.charted === field) return;
+    if (!block || block.isStill || field.categories || this.charted === field) return;
     this.charted = field;
     const times = [], values = [];
     for (let number = 0; number < recording.frameCount; ++number) {
       const frame = await recording.frame(number);
       if (this.block !== block || this.charted !== field) return;
-      if (frame.column("blocks", "present")[block.number] === 0) continue;
+      if (!isIn(frame, block)) continue;
       times.push(frame.time);
       values.push(field.valuesIn(frame)[block.number]);
     }

@@ -75,7 +75,8 @@ class Recording {
   }
 }
 
-/** Blocks with their kinds, materials, vertices relative to the centroid, and faces. */
+/** Blocks with their kinds, materials, vertices relative to the centroid, and faces. The last ones may be still blocks,
+    which frames do not repeat: they have their positions as vertices, and the number of frames until they are removed. */
 function readBlocks(reader, names) {
   const count = reader.whole();
   const [kinds, materials, nodes, vertexCounts, faceCounts] = Array.from({length: 5}, () => reader.wholes(count));
@@ -102,9 +103,18 @@ function readBlocks(reader, names) {
       faces,
     });
   }
+  const stillCount = reader.whole(), frameCounts = reader.wholes(stillCount);
+  blocks.forEach((block) => {
+    block.isStill = block.number >= count - stillCount;
+    block.frameCount = block.isStill ? frameCounts[block.number - count + stillCount] : null;
+  });
   return blocks;
 }
 
 const kindNames = ["fixed", "prescribed", "rigid", "affine", "cell of a mesh"];
+
+/** Whether a frame has a block. */
+const isIn = (frame, {number, isStill, frameCount}) =>
+  isStill ? frame.number < frameCount : frame.column("blocks", "present")[number] !== 0;
 
 const isFixed = (block) => block.kind === 0;

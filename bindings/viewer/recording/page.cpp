@@ -65,7 +65,8 @@ std::string Recording::header() const {
 }
 
 /// Whole numbers of 32 bits, then the vertices as floats: for each block its kind, material, first node plus
-/// 1, number of vertices and of faces; the sizes of all faces; their vertices.
+/// 1, number of vertices and of faces; the sizes of all faces; their vertices. At the end are the number of
+/// still blocks, and for each of them the number of frames until its removal.
 std::string Recording::geometry() const {
   std::string bytes;
   append(bytes, static_cast<std::uint32_t>(blocks_.size()));
@@ -83,6 +84,8 @@ std::string Recording::geometry() const {
     for (const Point& vertex : block.shape.vertices)
       for (const double coordinate : vertex)
         append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
+  append(bytes, static_cast<std::uint32_t>(frame_counts_.size()));
+  for (const std::size_t count : frame_counts_) append(bytes, static_cast<std::uint32_t>(count));
   return bytes;
 }
 

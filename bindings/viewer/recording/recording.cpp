@@ -74,6 +74,7 @@ Recording::Recording(int dimension, std::string title)
       of_bolts_("bolts", {}) {}
 
 std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
+  if (!frame_counts_.empty()) throw std::logic_error("a block that moves was added after a still block");
   Block block;
   block.shape = std::move(shape);
   block.rotation = pose.rotation;
@@ -89,10 +90,21 @@ std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
   return blocks_.size() - 1;
 }
 
-/// The steps of positions follow from the size of the smaller blocks.
+std::size_t Recording::add_still_block(BlockShape shape) {
+  blocks_.push_back({.shape = std::move(shape)});
+  frame_counts_.push_back(UINT32_MAX);
+  return blocks_.size() - 1;
+}
+
+void Recording::remove_still_block(std::size_t block) {
+  std::size_t& frame_count = frame_counts_[block - moving_count()];
+  frame_count = std::min(frame_count, times_.size() - 1);
+}
+
+/// The steps of positions follow from the size of the smaller blocks that may move.
 void Recording::make_tables() {
   std::vector<double> sizes;
-  for (const Block& block : blocks_) sizes.push_back(size_of(block.shape.vertices));
+  for (std::size_t b = 0; b < moving_count(); ++b) sizes.push_back(size_of(blocks_[b].shape.vertices));
   std::sort(sizes.begin(), sizes.end());
   const double size = sizes.empty() ? 0 : sizes[sizes.size() / 10];
   const double step = std::exp2(std::floor(std::log2((size > 0 ? size : 1) / positions_per_size)));
@@ -118,7 +130,7 @@ void Recording::make_tables() {
   of_contacts_ = Table("contacts", std::move(contacts));
   of_bolts_ = Table("bolts", std::move(bolts));
   frames_per_group_ =
-      std::clamp<std::size_t>(values_per_group / (blocks_.size() + node_count_ + 1), 4, max_frames_per_group);
+      std::clamp<std::size_t>(values_per_group / (moving_count() + node_count_ + 1), 4, max_frames_per_group);
 }
 
 void Recording::add_frame(double time) {
@@ -161,6 +173,7 @@ void Recording::set_deformed(std::size_t block, const std::vector<Point>& vertic
 
 void Recording::set_vertices(std::size_t block, const std::vector<Point>& vertices,
                              const Quaternion& rotation) {
+  if (is_still(block)) throw std::runtime_error("block " + std::to_string(block) + " of a terrain moves");
   const std::vector<Point>& at_start = blocks_[block].shape.vertices;
   if (vertices.size() != at_start.size())
     throw std::runtime_error("block " + std::to_string(block) + " has " + std::to_string(vertices.size()) +

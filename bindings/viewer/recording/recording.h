@@ -66,6 +66,12 @@ class Recording {
 
   /// Adds a block and returns its number. It is in no frame yet.
   std::size_t add_block(BlockShape shape, const Pose& pose);
+  /// Adds a block that never moves, such as a triangle of a terrain. It is in all frames, which do not repeat
+  /// it, until it is removed. All blocks added after it are still ones.
+  std::size_t add_still_block(BlockShape shape);
+  bool is_still(std::size_t block) const { return block >= moving_count(); }
+  /// Takes a still block out of the current frame and later ones.
+  void remove_still_block(std::size_t block);
   void add_frame(double time);
 
   // Contents of the current frame.
@@ -98,7 +104,7 @@ class Recording {
 
  private:
   struct Block {
-    BlockShape shape;       ///< with vertices relative to the first pose
+    BlockShape shape;       ///< with vertices relative to the first pose, if it is not still
     Quaternion rotation{};  ///< in the last frame, of either sign
     int first_node = -1;    ///< of a block that deforms
   };
@@ -107,6 +113,7 @@ class Recording {
     std::vector<Point> corners;
   };
 
+  std::size_t moving_count() const { return blocks_.size() - frame_counts_.size(); }
   void make_tables();
   void pack_group();
   std::string header() const;
@@ -115,6 +122,8 @@ class Recording {
   int dimension_;
   std::string title_;
   std::vector<Block> blocks_;
+  std::vector<std::size_t>
+      frame_counts_;  ///< of the still blocks, which come last: frames until their removal
   std::vector<std::string> materials_;
   std::vector<double> times_;
   Table of_blocks_, of_nodes_, of_contacts_, of_bolts_;

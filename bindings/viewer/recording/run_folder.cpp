@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -81,17 +80,15 @@ class Reader {
     Recording recording(start.has("angle") ? 2 : 3, title());
     const auto terrains = collection("terrain.pvd");
     read_blocks(start, recording);
-    if (!terrains.empty()) add_blocks(VtkFrame((folder_ / terrains[0].second).string()), recording);
+    if (!terrains.empty()) add_blocks(VtkFrame((folder_ / terrains[0].second).string()), true, recording);
     const auto contacts = collection("contacts.pvd"), bolts = collection("bolts.pvd"),
                waters = collection("water.pvd");
-    std::optional<VtkFrame> terrain;
     auto next_terrain = terrains.begin();
     for (std::size_t f = 0; f < frames.size(); ++f) {
       recording.add_frame(frames[f].first);
       add_motion(VtkFrame((folder_ / frames[f].second).string()), recording);
       for (; next_terrain != terrains.end() && next_terrain->first <= frames[f].first; ++next_terrain)
-        terrain.emplace((folder_ / next_terrain->second).string());
-      if (terrain) add_motion(*terrain, recording);
+        remove_missing(VtkFrame((folder_ / next_terrain->second).string()), recording);
       if (f < contacts.size()) add_contacts(VtkFrame((folder_ / contacts[f].second).string()), recording);
       if (f < bolts.size()) add_bolts(VtkFrame((folder_ / bolts[f].second).string()), recording);
       if (f < waters.size()) recording.set_water(VtkFrame((folder_ / waters[f].second).string()).points());
@@ -134,25 +131,38 @@ class Reader {
     }
     while (!materials.empty() && materials.back().empty()) materials.pop_back();
     recording.set_material_names(materials);
-    add_blocks(start, recording);
+    add_blocks(start, false, recording);
   }
 
-  void add_blocks(const VtkFrame& start, Recording& recording) {
+  void add_blocks(const VtkFrame& start, bool are_still, Recording& recording) {
     for (const BlockPart& part : parts_of(start)) {
       // Blocks that the first frame is without keep their numbers, and have no vertices.
-      while (recording.block_count() < part.number)
-        recording.add_block({.name = name_of(recording.block_count())}, {});
+      while (recording.block_count() < part.number) {
+        BlockShape missing{.name = name_of(recording.block_count())};
+        if (are_still)
+          recording.add_still_block(std::move(missing));
+        else
+          recording.add_block(std::move(missing), {});
+      }
       if (recording.block_count() != part.number)
         throw std::runtime_error("the blocks of the first frame are not in order");
-      add_block(start, part, recording);
+      add_block(start, part, are_still, recording);
     }
+  }
+
+  /// Removes the still blocks that a frame of the terrain is without.
+  static void remove_missing(const VtkFrame& terrain, Recording& recording) {
+    std::vector<bool> is_there(recording.block_count());
+    for (const BlockPart& part : parts_of(terrain)) is_there.at(part.number) = true;
+    for (std::size_t block = recording.block_count(); block-- > 0 && recording.is_still(block);)
+      if (!is_there[block]) recording.remove_still_block(block);
   }
 
   std::string name_of(std::size_t block) const {
     return block < names_.size() ? names_[block] : std::string();
   }
 
-  void add_block(const VtkFrame& start, const BlockPart& part, Recording& recording) {
+  void add_block(const VtkFrame& start, const BlockPart& part, bool is_still, Recording& recording) {
     BlockShape shape{.name = name_of(part.number),
                      .kind = static_cast<int>(start.value("kind", part.first_cell)),
                      .material = static_cast<int>(start.value("material", part.first_cell)),
@@ -161,6 +171,10 @@ class Reader {
       std::vector<int>& face = shape.faces.emplace_back();
       for (const std::size_t point : start.cell(part.first_cell + c))
         face.push_back(static_cast<int>(point - part.first_point));
+    }
+    if (is_still) {
+      recording.add_still_block(std::move(shape));
+      return;
     }
     const bool deforms = viewer::deforms(shape);
     const Pose pose{centroid_of(shape.vertices, shape.faces, recording.dimension()),

@@ -39,6 +39,7 @@ def vertices_at(path):
 
 class ViewerTest(unittest.TestCase):
     scene = ""
+    block_count = 3
 
     @classmethod
     def setUpClass(cls):
@@ -47,7 +48,7 @@ class ViewerTest(unittest.TestCase):
         cls.output = pathlib.Path(temporary.name, "out")
         answer = subprocess.run([COMMAND, "run", SCENES / cls.scene, "-o", cls.output, "--view"], capture_output=True, text=True)
         assert answer.returncode == 0, answer.stderr + answer.stdout
-        assert "view.html: 9 frames of 3 blocks" in answer.stdout, answer.stdout
+        assert f"view.html: 9 frames of {cls.block_count} blocks" in answer.stdout, answer.stdout
         cls.browser.open(cls.output / "view.html")
 
     def setUp(self):
@@ -262,8 +263,8 @@ class OpenJoints(ViewerTest):
         self.assertEqual(self.browser.run("return viewer.layers.bars.joints.count"), 0)
 
 
-class Space(ViewerTest):
-    scene = "space.toml"
+class SpaceTest(ViewerTest):
+    """What pages in space share."""
 
     def pixel_of(self, point):
         """From the view: a perspective camera above the horizon, z up."""
@@ -277,6 +278,10 @@ class Space(ViewerTest):
         at = np.array(point) - np.array(target)
         scale = height / 2 / math.tan(angle / 2) / (distance - at @ outward)
         return width / 2 + at @ right * scale, height / 2 - at @ up * scale
+
+
+class Space(SpaceTest):
+    scene = "space.toml"
 
     def test_vertices(self):
         self.check_vertices()
@@ -326,6 +331,35 @@ class Space(ViewerTest):
         self.browser.run("viewer.setLayer('forces', true); await viewer.player.goTo(8)")
         self.assertEqual(self.browser.run("return viewer.picture.blockMesh.uniforms.opacity.value"), 0.25)
         self.assertGreater(self.browser.run("return viewer.layers.bars.forces.count"), 0)
+
+
+class Terrain(SpaceTest):
+    scene = "terrain.toml"
+    block_count = 9
+
+    def test_triangles_are_stored_once(self):
+        """Frames have the box only; the triangles are where they are, one of them until it is excavated after 0.4 s."""
+        self.assertEqual(self.browser.run("return viewer.frame.column('blocks', 'x').length"), 1)
+        wanted = vertices_at(self.output / "frames" / "terrain_0000.vtp")
+        for number in (0, 4, 5, 8):
+            self.go_to(number)
+            shown = self.browser.run(
+                "const {blockMesh} = viewer.picture; return viewer.recording.blocks.map((block) => "
+                "blockMesh.isPresent(block.number) && blockMesh.verticesOf(block).map((vertex) => vertex.toArray()))")
+            for block, vertices in wanted.items():
+                if block == 8 and number > 4:
+                    self.assertFalse(shown[block])
+                else:
+                    distances = np.linalg.norm(vertices[:, None] - np.array(shown[block])[None], axis=2)
+                    self.assertLess(distances.min(axis=1).max(), 1e-6)
+
+    def test_picking(self):
+        self.browser.click(*self.pixel_of((0.6, 0.2, 0)))
+        text = self.browser.element("inspector").text
+        self.assertRegex(text, r"ground\.\d")
+        self.assertIn("kind fixed", text)
+        self.browser.click(*self.pixel_of((1, 0.5, 0.5)))
+        self.assertIn("box", self.browser.element("inspector").text)
 
 
 if __name__ == "__main__":
