@@ -53,7 +53,8 @@
     for (const [, [title, heading, address, text]] of found.slice(0, maxResults)) {
       const link = document.createElement("a");
       link.href = field.dataset.root + address;
-      link.append(part("strong", heading || title), part("span", heading ? title : ""), part("p", excerpt(text, words[0])));
+      link.append(part("strong", heading || title), part("span", heading ? title : ""),
+        part("p", excerpt(text, words[0])));
       list.append(link);
     }
     if (found.length === 0) list.append(part("p", "Nothing found."));

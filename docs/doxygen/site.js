@@ -4,7 +4,8 @@
   const page = location.pathname.split("/").pop() || "index.html";
   // Pages that the list leaves out stand below one that it has.
   const language = /^(python|fortran|rust)_(?!reference)/.exec(page);
-  const listed = language ? language[1] + "_reference.html" : /_8h\.html$|^struct/.test(page) ? "c_reference.html" : page;
+  const listed = language ? language[1] + "_reference.html"
+    : /_8h\.html$|^struct/.test(page) ? "c_reference.html" : page;
   for (const link of document.querySelectorAll(".pages a, .bar .first a")) {
     if (link.getAttribute("href") !== listed) continue;
     link.classList.add("here");
@@ -53,7 +54,8 @@
     button.className = "copy";
     button.textContent = "Copy";
     button.addEventListener("click", () => {
-      const text = commands.length ? commands.map((line) => line.textContent.slice(2)) : lines.map((line) => line.textContent);
+      const text = commands.length
+        ? commands.map((line) => line.textContent.slice(2)) : lines.map((line) => line.textContent);
       navigator.clipboard.writeText(text.join("\n") + "\n");
       button.textContent = "Copied";
     });

@@ -51,13 +51,14 @@ class Bars {
     this.mesh.geometry.dispose();
     const geometry = new THREE.InstancedBufferGeometry();
     geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
-    this.attributes = [["begin", this.begins, 3], ["end", this.ends, 3], ["widths", this.widths, 2], ["tint", this.tints, 4]]
-      .map(([name, values, size]) => {
-        const attribute = new THREE.InstancedBufferAttribute(values, size);
-        geometry.setAttribute(name, attribute);
-        return attribute;
-      });
+    const corners = new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]);
+    geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
+    const values = {begin: [this.begins, 3], end: [this.ends, 3], widths: [this.widths, 2], tint: [this.tints, 4]};
+    this.attributes = Object.entries(values).map(([name, [array, size]]) => {
+      const attribute = new THREE.InstancedBufferAttribute(array, size);
+      geometry.setAttribute(name, attribute);
+      return attribute;
+    });
     this.mesh.geometry = geometry;
   }
 

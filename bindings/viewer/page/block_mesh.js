@@ -134,7 +134,8 @@ function meshGeometry(blocks) {
         edges.set(distancesFromEdges(place, face.length), 3 * corner);
         owners[2 * corner] = number;
         owners[2 * corner + 1] = firstNode < 0 ? -1 : firstNode + vertex;
-        across.set(normal || [1, face.length - 1].map((step) => firstNode + face[(place + step) % face.length]), 3 * corner);
+        const nodeAfter = (step) => firstNode + face[(place + step) % face.length];
+        across.set(normal || [nodeAfter(1), nodeAfter(face.length - 1)], 3 * corner);
         ++corner;
       });
     }
@@ -147,9 +148,9 @@ function meshGeometry(blocks) {
   return geometry;
 }
 
-/** The distances of a corner from the edges of its face, in three classes: 0 on an edge of the class, else 255. The first
-    edge and the last have a class each, all between them the third one. So no class is 0 along a whole diagonal from the
-    first corner, which is a side of two triangles and no edge. */
+/** The distances of a corner from the edges of its face, in three classes: 0 on an edge of the class, else 255. The
+    first edge and the last have a class each, all between them the third one. So no class is 0 along a whole diagonal
+    from the first corner, which is a side of two triangles and no edge. */
 function distancesFromEdges(place, size) {
   const distances = [255, 255, 255];
   for (const edge of [place, (place + size - 1) % size]) distances[edge === 0 ? 0 : edge === size - 1 ? 1 : 2] = 0;

@@ -54,8 +54,10 @@ class Controls {
 
   joinLayers() {
     const {viewer} = this, {layers, recording} = viewer, available = layers.available();
-    const kinds = {forces: ["Force chains", "compression"], points: ["Contact points", "point"], bolts: ["Bolts", "bolt"],
-      joints: ["Open joints", "joint"], cracks: ["Cracks", "tensileCrack"], water: ["Water table", "water"]};
+    const kinds = {
+      forces: ["Force chains", "compression"], points: ["Contact points", "point"], bolts: ["Bolts", "bolt"],
+      joints: ["Open joints", "joint"], cracks: ["Cracks", "tensileCrack"], water: ["Water table", "water"],
+    };
     for (const name of available) {
       const [text, colour] = kinds[name], label = document.createElement("label");
       label.className = "check";
@@ -73,8 +75,8 @@ class Controls {
       viewer.update();
     });
     if (recording.left_out_contacts > 0) {
-      element("left-out").textContent =
-        `Of each frame the largest contact forces are here; up to ${recording.left_out_contacts} smaller ones are left out.`;
+      element("left-out").textContent = "Of each frame the largest contact forces are here; "
+        + `up to ${recording.left_out_contacts} smaller ones are left out.`;
     }
     element("opacity").addEventListener("input", ({target}) => viewer.setOpacity(Number(target.value)));
     element("edges").addEventListener("input", ({target}) => {
@@ -112,8 +114,10 @@ class Controls {
 
   joinPicture() {
     const {viewer} = this, {control} = viewer.picture, canvas = element("picture");
-    this.views = {fit: () => control.fit(control.box), x: () => control.look(Math.PI / 2, 0), y: () => control.look(0, 0),
-      z: () => control.look(0, 1.55)};
+    this.views = {
+      fit: () => control.fit(control.box), x: () => control.look(Math.PI / 2, 0), y: () => control.look(0, 0),
+      z: () => control.look(0, 1.55),
+    };
     for (const button of document.querySelectorAll("[data-view]"))
       button.addEventListener("click", () => this.views[button.dataset.view]());
     element("save").addEventListener("click", () => viewer.savePicture());
@@ -122,7 +126,8 @@ class Controls {
     let pressed = null;
     canvas.addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
     canvas.addEventListener("pointerup", (event) => {
-      if (!pressed || event.button !== 0 || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
+      if (!pressed || event.button !== 0) return;
+      if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
       const box = canvas.getBoundingClientRect();
       viewer.select(viewer.blockAt(event.clientX - box.left, event.clientY - box.top));
     });

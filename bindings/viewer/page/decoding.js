@@ -56,7 +56,8 @@ class PackedColumn {
 
   /** The values, frame after frame: multiples of a step, or floats whose lower bits have been dropped. */
   unpacked() {
-    const codes = this.codes(), {step, droppedBits, total} = this, values = new Float32Array(step ? total : codes.buffer);
+    const codes = this.codes(), {step, droppedBits, total} = this;
+    const values = new Float32Array(step ? total : codes.buffer);
     for (let i = 0; i < total; ++i) {
       if (step) values[i] = codes[i] * step;
       else codes[i] = codes[i] < 0 ? (-codes[i] << droppedBits) | 0x80000000 : codes[i] << droppedBits;

@@ -1,5 +1,8 @@
 "use strict";
 
+const chartedEnergies = ["kinetic", "strain", "block_strain", "bolt_strain", "friction_loss", "contact_damping_loss",
+  "local_damping_loss", "mass_damping_loss", "block_damping_loss", "bolt_loss", "outer_work", "residual"];
+
 /** The history of a run: columns over time. */
 class History {
   constructor(csv) {
@@ -19,17 +22,14 @@ class History {
 
   /** The energies that change, without the sum of their errors. */
   energies() {
-    const names = ["kinetic", "strain", "block_strain", "bolt_strain", "friction_loss", "contact_damping_loss",
-      "local_damping_loss", "mass_damping_loss", "block_damping_loss", "bolt_loss", "outer_work", "residual"];
     const changes = (values) => values.some((value) => value !== values[0]);
-    return names.filter((name) => this.columns.has(name) && changes(this.columns.get(name)));
+    return chartedEnergies.filter((name) => this.columns.has(name) && changes(this.columns.get(name)));
   }
 
   /** All other columns. */
   others() {
-    const energies = ["kinetic", "gravity", "strain", "block_strain", "bolt_strain", "friction_loss", "contact_damping_loss",
-      "local_damping_loss", "mass_damping_loss", "block_damping_loss", "bolt_loss", "outer_work", "residual", "water"];
-    return [...this.columns.keys()].filter((name) => !["time", ...energies].includes(name));
+    const left = ["time", "gravity", "water", ...chartedEnergies];
+    return [...this.columns.keys()].filter((name) => !left.includes(name));
   }
 }
 

@@ -39,7 +39,8 @@ class Inspector {
       const axes = block.isStill ? [] : ["x", "y", "z"].slice(0, recording.dimension);
       const place = axes.map((axis) => shortNumber(column(axis)[b]));
       if (place.length > 0) rows.push(["centroid", `${place.join(", ")} m`]);
-      if (place.length > 0 && column("angle")) rows.push(["angle", `${shortNumber((column("angle")[b] * 180) / Math.PI)}°`]);
+      if (place.length > 0 && column("angle"))
+        rows.push(["angle", `${shortNumber((column("angle")[b] * 180) / Math.PI)}°`]);
       for (const field of fields) {
         if (field.categories) continue;
         const value = field.valuesIn(frame)[b];
@@ -58,7 +59,8 @@ class Inspector {
       const row = tableRow(`${shortNumber(force / factor)} ${unit} with`, link);
       table.append(row);
     }
-    if (partners.length > shown) table.append(tableRow("", document.createTextNode(`and ${partners.length - shown} more contacts`)));
+    const more = document.createTextNode(`and ${partners.length - shown} more contacts`);
+    if (partners.length > shown) table.append(tableRow("", more));
     this.chart.setTime(frame.time);
   }
 

@@ -1,7 +1,7 @@
 "use strict";
 
-/** The joints of a run: where sides of two blocks, edges in 2D and faces in 3D, coincide at the start. Both blocks carry
-    their side of a joint along, so that the distance between its sides is how far the joint has opened. */
+/** The joints of a run: where sides of two blocks, edges in 2D and faces in 3D, coincide at the start. Both blocks
+    carry their side of a joint along, so that the distance between its sides is how far the joint has opened. */
 class Joints {
   /** Finds the joints of the blocks as the mesh shows them now. */
   constructor(recording, blockMesh, thicknesses) {
@@ -28,8 +28,9 @@ class Joints {
     if (a.normal.dot(b.normal) > -parallelCosine) return;
     const width = Math.min(...[a, b].map(({block}) => this.thicknesses[block.number]));
     if (Math.abs(a.normal.dot(b.points[0].clone().sub(a.points[0]))) > closeness * width) return;
-    const corners = overlapOf(a, b), extent = corners.length > 0 ? corners[0].distanceTo(corners[corners.length - 1]) : 0;
-    const size = corners.length > 2 ? Math.sqrt(normalOfLoop(corners).length() / 2) : extent;
+    const corners = overlapOf(a, b);
+    if (corners.length < 2) return;
+    const size = corners.length > 2 ? Math.sqrt(normalOfLoop(corners).length() / 2) : corners[0].distanceTo(corners[1]);
     if (size < closeness * width) return;
     const sides = [a, b].map(({block, base, origins}) =>
       ({block, base, weights: corners.map((corner) => weightsOf(corner, origins))}));

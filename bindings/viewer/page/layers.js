@@ -13,8 +13,10 @@ class Layers {
     this.recording = recording;
     this.blockMesh = blockMesh;
     const isInFront = recording.dimension === 3;
-    this.bars = {forces: new Bars(isInFront), points: new Bars(isInFront), bolts: new Bars(isInFront), joints: new Bars(false),
-      cracks: new Bars(false), water: new Bars(false)};
+    this.bars = {
+      forces: new Bars(isInFront), points: new Bars(isInFront), bolts: new Bars(isInFront), joints: new Bars(false),
+      cracks: new Bars(false), water: new Bars(false),
+    };
     this.group = new THREE.Group();
     for (const {mesh} of Object.values(this.bars)) this.group.add(mesh);
     this.group.children.forEach((mesh, index) => { mesh.renderOrder = 1 + index; });
@@ -149,7 +151,8 @@ class Layers {
       the joint beside it. */
   moveIntoJoint(blocks, middle, along, half) {
     const intervals = blocks.map((block) => {
-      const places = this.blockMesh.verticesOf(this.recording.blocks[block]).map((vertex) => vertex.sub(middle).dot(along));
+      const vertices = this.blockMesh.verticesOf(this.recording.blocks[block]);
+      const places = vertices.map((vertex) => vertex.sub(middle).dot(along));
       return [Math.min(...places), Math.max(...places)];
     });
     const low = Math.max(...intervals.map(([first]) => first)), high = Math.min(...intervals.map(([, last]) => last));
@@ -172,7 +175,8 @@ class Layers {
   contactsOf(block, frame) {
     const count = frame.count("contacts"), contacts = [];
     if (count === 0) return contacts;
-    const [present, a, b, force] = ["present", "block_a", "block_b", "force"].map((name) => frame.column("contacts", name));
+    const column = (name) => frame.column("contacts", name);
+    const [present, a, b, force] = ["present", "block_a", "block_b", "force"].map(column);
     for (let c = 0; c < count; ++c) {
       if (present[c] === 0 || (a[c] !== block && b[c] !== block)) continue;
       contacts.push({other: a[c] === block ? b[c] : a[c], force: force[c]});

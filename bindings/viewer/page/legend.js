@@ -74,7 +74,8 @@ function drawCategories(context, height, field, theme) {
   const title = shown.length > 0 ? field.name : "blocks, in any colour";
   context.textAlign = "left";
   context.font = overlayFont(13, 600);
-  const width = Math.max(...[title, ...shown.map(([name]) => `${name}     `)].map((text) => context.measureText(text).width));
+  const texts = [title, ...shown.map(([name]) => `${name}     `)];
+  const width = Math.max(...texts.map((text) => context.measureText(text).width));
   drawCard(context, 12, top - 26, width + 24, 20 * shown.length + 42, theme);
   context.fillStyle = theme.text;
   context.fillText(title, left, top - 9);

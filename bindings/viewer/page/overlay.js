@@ -33,7 +33,8 @@ class Overlay {
   constructor(parent) {
     this.time = new OverlayPart(parent, (width) => [0, 0, width, 60], drawTime);
     this.legend = new OverlayPart(parent, (width, height) => [0, height - 310, Math.min(320, width), 310], drawLegend);
-    this.orientation = new OverlayPart(parent, (width, height) => [width - 200, height - 120, 200, 120], drawOrientation);
+    this.orientation = new OverlayPart(parent, (width, height) => [width - 200, height - 120, 200, 120],
+      drawOrientation);
     this.parts = [this.time, this.legend, this.orientation];
   }
 
@@ -46,7 +47,8 @@ class Overlay {
   show(content) {
     this.time.show(content);
     const {field, range, isLog, table, camera, theme} = content;
-    const state = JSON.stringify([field.name, range, isLog, table, theme, camera.distance, camera.azimuth, camera.elevation]);
+    const {distance, azimuth, elevation} = camera;
+    const state = JSON.stringify([field.name, range, isLog, table, theme, distance, azimuth, elevation]);
     if (state === this.drawn) return;
     this.drawn = state;
     this.legend.show(content);

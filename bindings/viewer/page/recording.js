@@ -76,7 +76,7 @@ class Recording {
 }
 
 /** Blocks with their kinds, materials, vertices relative to the centroid, and faces. The last ones may be still blocks,
-    which frames do not repeat: they have their positions as vertices, and the number of frames until they are removed. */
+    which frames do not repeat: their vertices are positions, and they have the number of frames until their removal. */
 function readBlocks(reader, names) {
   const count = reader.whole();
   const [kinds, materials, nodes, vertexCounts, faceCounts] = Array.from({length: 5}, () => reader.wholes(count));

@@ -1,8 +1,9 @@
 "use strict";
 
 // Blocks are drawn at once. Each vertex looks up the pose of its block, or its own place as a node, in a texture, and
-// has the colour and the light of its whole face: by software, a fragment costs as much as a vertex, and there are more.
-// For the same reason a fragment knows one distance from an edge, the least of three, and the section only if there is one.
+// has the colour and the light of its whole face: by software, a fragment costs as much as a vertex, and there are
+// more. For the same reason a fragment has one distance from an edge, the smallest of three, and a section only if
+// there is one.
 
 const blockVertexShader = `
 precision highp float;

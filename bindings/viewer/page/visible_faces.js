@@ -1,7 +1,7 @@
 "use strict";
 
-/** The faces of convex blocks that look towards the camera, as triangles: a fan for each face. The others are not drawn:
-    half of the work, by software. */
+/** The faces of convex blocks that look towards the camera, as triangles: a fan for each face. The others are not
+    drawn: half of the work, by software. */
 class VisibleFaces {
   constructor(recording, geometry) {
     this.recording = recording;
