@@ -32,7 +32,7 @@ def with_headings(text, page):
     """Headings with names. Doxygen shows tags of code in a heading as text, so it has no code."""
     name, seen, in_code, lines = pages.name_of(page), {}, False, []
     is_main = page == pages.MAIN_PAGE
-    is_long = len(re.findall(r"(?m)^## ", FENCED.sub("", text))) > 2
+    is_long = len(re.findall(r"(?m)^##+ ", FENCED.sub("", text))) > 2
     for line in text.splitlines():
         in_code ^= line.lstrip().startswith("```")
         heading = not in_code and re.fullmatch(r"(#+) (.*)", line)

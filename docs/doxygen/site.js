@@ -24,7 +24,7 @@
   if (members.length > 2 && !document.querySelector("div.toc")) {
     const contents = document.createElement("div");
     contents.className = "toc";
-    contents.append(document.createElement("h3"), document.createElement("ul"));
+    contents.append(document.createElement("ul"));
     for (const member of members) {
       const link = document.createElement("a");
       link.href = member.querySelector("a").getAttribute("href");
@@ -35,7 +35,18 @@
     }
     document.querySelector(".contents").prepend(contents);
   }
-  if (document.querySelector("div.toc")) document.body.classList.add("has-contents");
+  // The table of contents is beside the page where there is room; elsewhere it opens above the page.
+  const contents = document.querySelector("div.toc");
+  if (contents) {
+    document.body.classList.add("has-contents");
+    const folded = document.createElement("details"), title = document.createElement("summary");
+    title.textContent = "On this page";
+    folded.append(title, ...contents.querySelectorAll(":scope > ul"));
+    contents.replaceChildren(folded);
+    const hasRoom = matchMedia("(min-width: 84rem)"), fold = () => { folded.open = hasRoom.matches; };
+    hasRoom.addEventListener("change", fold);
+    fold();
+  }
 
   // A command and its output: prompts are no part of what is copied.
   for (const block of document.querySelectorAll("div.fragment")) {

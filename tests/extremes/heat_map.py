@@ -1,4 +1,5 @@
 """Draws cells that pass, are degraded or fail: for each varied parameter a line for all variants with the same result."""
+import re
 import textwrap
 
 import matplotlib
@@ -44,7 +45,11 @@ def lines_of(row, values, names, verdict_of):
         if any(verdict for _, verdict in cells):
             groups.setdefault(cells, []).append(name)
     tried = [name for group in groups.values() for name in group]
-    return [(textwrap.wrap(label(group, tried), 52), cells) for cells, group in groups.items()]
+    return [(textwrap.wrap(unbroken_units(label(group, tried)), 40), cells) for cells, group in groups.items()]
+
+
+def unbroken_units(text):
+    return re.sub(r"(\d) s\b", "\\1\N{NO-BREAK SPACE}s", text)
 
 
 def draw(path, names, rows, verdict_of, classes):
@@ -52,27 +57,27 @@ def draw(path, names, rows, verdict_of, classes):
     blocks = [(row, lines_of(row, values, names, verdict_of)) for row, values in rows]
     height = sum(0.3 + (len(lines) > 1) + sum(max(1, 0.62 * len(words)) for words, _ in lines) for _, lines in blocks)
     across = max(len(values) for _, values in rows)
-    figure, axis = plt.subplots(figsize=(10, 0.25 * height + 0.5))
-    figure.subplots_adjust(left=0.37, right=0.995, top=1 - 0.02 / figure.get_figheight(),
+    figure, axis = plt.subplots(figsize=(9.3, 0.26 * height + 0.5))
+    figure.subplots_adjust(left=0.305, right=0.995, top=1 - 0.02 / figure.get_figheight(),
                            bottom=0.4 / figure.get_figheight())
     y = 0
     for row, lines in blocks:
         y += 0.3
-        axis.text(-0.15, y + 0.5, row, ha="right", va="center", fontsize=9.5, fontweight="bold")
+        axis.text(-0.15, y + 0.5, row, ha="right", va="center", fontsize=10, fontweight="bold")
         if len(lines) == 1:
             lines = [([""], lines[0][1])]  # of all variants
         else:
             y += 1
         for words, cells in lines:
             tall = max(1, 0.62 * len(words))
-            axis.text(-0.15, y + tall / 2, "\n".join(words), ha="right", va="center", fontsize=8, linespacing=1.1)
+            axis.text(-0.15, y + tall / 2, "\n".join(words), ha="right", va="center", fontsize=9, linespacing=1.1)
             for x, (value, verdict) in enumerate(cells):
                 if verdict:
                     axis.add_patch(plt.Rectangle((x, y + 0.04), 0.96, tall - 0.08, color=COLOURS[verdict]))
-                    axis.text(x + 0.48, y + tall / 2, short(value), ha="center", va="center", fontsize=8, color="white")
+                    axis.text(x + 0.48, y + tall / 2, short(value), ha="center", va="center", fontsize=9, color="white")
             y += tall
     axis.set(xlim=(0, across), ylim=(height, 0))
     axis.axis("off")
     handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[name]) for name in classes]
-    figure.legend(handles, classes, loc="lower center", ncol=len(classes), frameon=False, fontsize=9)
-    figure.savefig(path, dpi=100)
+    figure.legend(handles, classes, loc="lower center", ncol=len(classes), frameon=False, fontsize=10)
+    figure.savefig(path, dpi=120)

@@ -78,9 +78,9 @@ def front(rows):
 
 def draw_dimension(rows, path):
     tasks = grouped(rows, lambda row: row.task)
-    across = 4
+    across = 3
     down = math.ceil((len(tasks) + 1) / across)
-    figure, axes = plt.subplots(down, across, figsize=(4.2 * across, 3.1 * down), layout="constrained")
+    figure, axes = plt.subplots(down, across, figsize=(3.4 * across, 2.8 * down), layout="constrained")
     for axis, (task, of_task) in zip(axes.flat, tasks.items()):
         for curve, points in grouped(of_task, lambda row: row.curve).items():
             colour, marker = look(curve)
@@ -98,7 +98,7 @@ def draw_dimension(rows, path):
     axes.flat[-1].legend(handles=handles, loc="center", frameon=False)
     figure.supxlabel("processor seconds per simulated second")
     figure.supylabel("relative error")
-    figure.savefig(path, dpi=80)
+    figure.savefig(path, dpi=100)
     plt.close(figure)
 
 
@@ -124,16 +124,18 @@ def own_error(finest, next_finest):
 
 
 def table(rows, dimension):
-    lines = ["| task | engine | 10 % | 1 % | 0.1 % | 0.01 % | min | finest | from the next |",
-             "|---|---|---|---|---|---|---|---|---|"]
+    lines = []
     for task, of_task in grouped((row for row in rows if row.dimension == dimension), lambda row: row.task).items():
+        lines += ["", f"### {task.capitalize()}", "",
+                  "| engine | 10 % | 1 % | 0.1 % | 0.01 % | min | finest | from the next |",
+                  "|---|---:|---:|---:|---:|---:|---:|---:|"]
         for curve, points in grouped(of_task, lambda row: row.curve).items():
             ladder = finest_first(points)
-            cells = [task, curve] + [cost_to_reach(points, target) for target in TARGETS]
+            cells = [curve] + [cost_to_reach(points, target) for target in TARGETS]
             cells += [f"{min(row.error for row in points if math.isfinite(row.error)):.1e}", f"{ladder[0].error:.1e}"]
             cells += [f"{own_error(*ladder[:2]):.1e}" if len(ladder) > 1 else "—"]
             lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    return "\n".join(lines[1:])
 
 
 PAGE = """# Cost to reach an error, task by task

@@ -66,6 +66,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("."))
     folder = parser.parse_args().output
+    folder.mkdir(parents=True, exist_ok=True)
     figure, axes = plt.subplots(figsize=(8, 3.6), dpi=150)
     axes.plot([-0.2, 0, 0, 1, 1, 1.4], [0, 0, 1, 1, 0, 0], color="0.6", lw=4, label="theory of waves")
     for (name, law), color in zip(LAWS.items(), ("C3", "C0", "C2")):

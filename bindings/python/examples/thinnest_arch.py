@@ -85,6 +85,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("."))
     folder = parser.parse_args().output
+    folder.mkdir(parents=True, exist_ok=True)
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3), dpi=150, layout="tight")
     moved, fallen = stand(left), fall(right)
     for axes in (left, right):
