@@ -37,7 +37,7 @@ class Inspector {
       rows.push(["state", "removed"]);
     } else {
       const axes = block.isStill ? [] : ["x", "y", "z"].slice(0, recording.dimension);
-      const place = axes.map((axis) => shortNumber(column(axis)[b]));
+      const place = axes.map((axis, index) => shortNumber(recording.origin[index] + column(axis)[b]));
       if (place.length > 0) rows.push(["centroid", `${place.join(", ")} m`]);
       if (place.length > 0 && column("angle"))
         rows.push(["angle", `${shortNumber((column("angle")[b] * 180) / Math.PI)}°`]);

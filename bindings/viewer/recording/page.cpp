@@ -46,6 +46,7 @@ std::string Recording::header() const {
                      ",\"frames_per_group\":" + std::to_string(frames_per_group_) +
                      ",\"left_out_contacts\":" + std::to_string(left_out_contacts_) +
                      ",\"times\":" + array(times_, [](double time) { return json(time); });
+  text += ",\"origin\":" + coordinates(origin_);
   text += ",\"names\":" + array(blocks_, [&](const Block& block) { return quoted(block.shape.name); });
   text += ",\"materials\":" + array(materials_, quoted) + ",\"tables\":[";
   for (const Table* table : {&of_blocks_, &of_nodes_, &of_contacts_, &of_bolts_})
@@ -80,9 +81,9 @@ std::string Recording::geometry() const {
   for (const Block& block : blocks_)
     for (const auto& face : block.shape.faces)
       for (const int vertex : face) append(bytes, static_cast<std::uint32_t>(vertex));
-  for (const Block& block : blocks_)
-    for (const Point& vertex : block.shape.vertices)
-      for (const double coordinate : vertex)
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (const Point& vertex : blocks_[b].shape.vertices)
+      for (const double coordinate : is_still(b) ? from_origin(vertex) : vertex)
         append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
   append(bytes, static_cast<std::uint32_t>(frame_counts_.size()));
   for (const std::size_t count : frame_counts_) append(bytes, static_cast<std::uint32_t>(count));

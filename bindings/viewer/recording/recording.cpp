@@ -16,6 +16,7 @@ constexpr std::size_t present = 0, first_coordinate = 1;
 
 constexpr double rotation_step = 0x1p-12, direction_step = 0x1p-6;
 constexpr double positions_per_size = 2048;  // of a block
+constexpr double steps_per_origin = 0x1p20;
 constexpr std::size_t max_frames_per_group = 32, values_per_group = 400000;
 
 constexpr const char* axes[] = {"x", "y", "z"};
@@ -76,6 +77,8 @@ Recording::Recording(int dimension, std::string title)
 std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
   if (!frame_counts_.empty()) throw std::logic_error("a block that moves was added after a still block");
   Block block;
+  const auto is_bare = [](const Block& other) { return other.shape.vertices.empty(); };
+  if (std::all_of(blocks_.begin(), blocks_.end(), is_bare)) origin_ = pose.position;
   block.shape = std::move(shape);
   block.rotation = pose.rotation;
   for (Point& vertex : block.shape.vertices) {
@@ -101,6 +104,10 @@ void Recording::remove_still_block(std::size_t block) {
   frame_count = std::min(frame_count, times_.size() - 1);
 }
 
+Point Recording::from_origin(const Point& point) const {
+  return {point[0] - origin_[0], point[1] - origin_[1], point[2] - origin_[2]};
+}
+
 /// The steps of positions follow from the size of the smaller blocks that may move.
 void Recording::make_tables() {
   std::vector<double> sizes;
@@ -108,6 +115,9 @@ void Recording::make_tables() {
   std::sort(sizes.begin(), sizes.end());
   const double size = sizes.empty() ? 0 : sizes[sizes.size() / 10];
   const double step = std::exp2(std::floor(std::log2((size > 0 ? size : 1) / positions_per_size)));
+  // Near the first block, at a round number: 0 for a run that is at most some hundreds of blocks from it.
+  const double spacing = steps_per_origin * step;
+  for (double& coordinate : origin_) coordinate = spacing * std::round(coordinate / spacing);
   std::vector<Column> blocks = {{.name = "present", .coding = Coding::flag}};
   std::vector<Column> nodes, contacts = blocks, bolts = blocks;
   add_axes(blocks, "", "m", dimension_, Coding::lattice, step);
@@ -144,8 +154,9 @@ void Recording::add_frame(double time) {
 void Recording::set_rigid(std::size_t block, const Pose& pose) {
   of_blocks_.set(present, block, 1);
   std::size_t column = first_coordinate;
+  const Point position = from_origin(pose.position);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-    of_blocks_.set(column++, block, pose.position[axis]);
+    of_blocks_.set(column++, block, position[axis]);
   Quaternion& before = blocks_[block].rotation;
   Quaternion now = pose.rotation;
   if (dimension_ == 2) {
@@ -168,7 +179,7 @@ void Recording::set_deformed(std::size_t block, const std::vector<Point>& vertic
   const auto first = static_cast<std::size_t>(blocks_[block].first_node);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-      of_nodes_.set(axis, first + i, vertices[i][axis]);
+      of_nodes_.set(axis, first + i, vertices[i][axis] - origin_[axis]);
 }
 
 void Recording::set_vertices(std::size_t block, const std::vector<Point>& vertices,
@@ -209,7 +220,7 @@ void Recording::set_contacts(std::vector<ContactForce> contacts) {
     const auto axis_count = static_cast<std::size_t>(dimension_);
     const double force = std::sqrt(square(contact.force));
     set(1);
-    for (std::size_t axis = 0; axis < axis_count; ++axis) set(contact.point[axis]);
+    for (std::size_t axis = 0; axis < axis_count; ++axis) set(contact.point[axis] - origin_[axis]);
     set(static_cast<double>(contact.block_a));
     set(static_cast<double>(contact.block_b));
     set(force);
@@ -222,15 +233,21 @@ void Recording::set_bolt(const BoltForce& bolt) {
   std::size_t column = present;
   const auto set = [&](double value) { of_bolts_.set(column++, bolt.number, value); };
   set(1);
-  for (const Point& place : {bolt.place_a, bolt.place_b})
+  for (const Point& place : {from_origin(bolt.place_a), from_origin(bolt.place_b)})
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) set(place[axis]);
   set(bolt.tension);
   set(bolt.is_ruptured ? 1 : 0);
 }
 
-void Recording::set_water(const std::vector<Point>& corners) {
+void Recording::set_water(std::vector<Point> corners) {
+  for (Point& corner : corners) corner = from_origin(corner);
   if (water_.empty() ? corners.empty() : water_.back().corners == corners) return;
-  water_.push_back({times_.size() - 1, corners});
+  water_.push_back({times_.size() - 1, std::move(corners)});
+}
+
+void Recording::add_crack(Crack crack) {
+  crack.position = from_origin(crack.position);
+  cracks_.push_back(crack);
 }
 
 void Recording::pack_group() {

@@ -84,9 +84,9 @@ class Recording {
   /// Keeps the max_contacts contacts with the largest forces.
   void set_contacts(std::vector<ContactForce> contacts);
   void set_bolt(const BoltForce& bolt);
-  void set_water(const std::vector<Point>& corners);
+  void set_water(std::vector<Point> corners);
 
-  void add_crack(const Crack& crack) { cracks_.push_back(crack); }
+  void add_crack(Crack crack);
   void set_material_names(std::vector<std::string> names) { materials_ = std::move(names); }
   /// A table with a column `time`, as text of comma-separated values.
   void set_history(std::string csv) { history_ = std::move(csv); }
@@ -104,7 +104,7 @@ class Recording {
 
  private:
   struct Block {
-    BlockShape shape;       ///< with vertices relative to the first pose, if it is not still
+    BlockShape shape;       ///< with vertices relative to the first pose; if it is still, with positions
     Quaternion rotation{};  ///< in the last frame, of either sign
     int first_node = -1;    ///< of a block that deforms
   };
@@ -114,6 +114,7 @@ class Recording {
   };
 
   std::size_t moving_count() const { return blocks_.size() - frame_counts_.size(); }
+  Point from_origin(const Point& point) const;
   void make_tables();
   void pack_group();
   std::string header() const;
@@ -121,6 +122,8 @@ class Recording {
 
   int dimension_;
   std::string title_;
+  Point
+      origin_{};  ///< of all stored positions, so that floats have their digits also far from that of the run
   std::vector<Block> blocks_;
   std::vector<std::size_t>
       frame_counts_;  ///< of the still blocks, which come last: frames until their removal
