@@ -186,35 +186,36 @@ int main_of(int argc, char** argv) {
   sweep_command->add_option("--plot", sweep_options.plotted,
                             "Result that table.svg shows: a column of table.csv");
 
-  LimitOptions limit_options;
+  LimitArguments limit_arguments;
   CLI::App* limit_command = app.add_subcommand(
       "limit",
       "Find the largest tilt, load or value of a key at which a scene is stable: --tilt, --load, or "
       "--set KEY=LOW:HIGH");
   add_scene(limit_command, "The scene file (TOML)");
-  limit_command->add_flag("--resume", limit_options.resumes, "Continue from the trials in the directory")
+  limit_command
+      ->add_flag("--resume", limit_arguments.search.resumes, "Continue from the trials in the directory")
       ->excludes(add_output(limit_command));
   add_threads(limit_command);
-  limit_command->add_flag("--tilt", limit_options.tilts, "Turn gravity, by an angle in degrees");
-  limit_command->add_option("--axis", limit_options.axis,
+  limit_command->add_flag("--tilt", limit_arguments.tilts, "Turn gravity, by an angle in degrees");
+  limit_command->add_option("--axis", limit_arguments.axis,
                             "Axis of the tilt: x, y, z, -x, -y or -z; by default z in 2D, x in 3D");
   limit_command
-      ->add_option("--load", limit_options.load,
+      ->add_option("--load", limit_arguments.load,
                    "Scale the mesh loads of this group, mesh or mesh/group; without a name all loads")
       ->expected(0, 1);
-  limit_command->add_option("--low", limit_options.low, "Lower end of the bracket; 0 by default");
-  limit_command->add_option("--high", limit_options.high,
+  limit_command->add_option("--low", limit_arguments.search.low, "Lower end of the bracket; 0 by default");
+  limit_command->add_option("--high", limit_arguments.search.high,
                             "Upper end of the bracket; 90 degrees or a factor of 10 by default");
   limit_command
-      ->add_option("--resolution", limit_options.resolution,
+      ->add_option("--resolution", limit_arguments.search.resolution,
                    "Final width of the bracket; a thousandth of the bracket by default")
       ->check(finite_above_zero());
   limit_command
-      ->add_option("--limit", limit_options.limit,
+      ->add_option("--limit", limit_arguments.search.limit,
                    "Displacement of a block, in m, that counts as failure; by default that of `safety` for a "
                    "tilt, else a tenth of the block's size")
       ->check(finite_above_zero());
-  limit_command->add_flag("--smallest", limit_options.smallest,
+  limit_command->add_flag("--smallest", limit_arguments.search.smallest,
                           "Find the smallest value instead: the scene falls below it");
 
   try {
@@ -234,7 +235,7 @@ int main_of(int argc, char** argv) {
   try {
     if (plan_command->parsed()) return plan(file, plan_options);
     if (sweep_command->parsed()) return sweep(file, target, sweep_options);
-    if (limit_command->parsed()) return limit(file, target, limit_options);
+    if (limit_command->parsed()) return limit(file, target, limit_arguments);
     if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
     if (trade_command->parsed()) return trade(file, target, trade_options);
     if (view_command->parsed()) return view(viewed, view_file);

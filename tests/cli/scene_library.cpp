@@ -63,6 +63,8 @@ TEST_CASE("arguments that are missing are named") {
   hs_scene_run_def_init(&run);
   hs_scene_safety_def safety;
   hs_scene_safety_def_init(&safety);
+  hs_scene_limit_def limit;
+  hs_scene_limit_def_init(&limit);
   CHECK(hs_scene_create(nullptr) == HS_ERROR_ARGUMENT);
   CHECK(read(Scene(), falling) == HS_ERROR_ARGUMENT);
   CHECK(hs_scene_read(scene.get(), nullptr, 0, "s.toml", nullptr, 0) == HS_ERROR_ARGUMENT);
@@ -77,6 +79,22 @@ TEST_CASE("arguments that are missing are named") {
   safety.low = NAN;
   CHECK(hs_scene_find_safety(scene.get(), context.get(), &safety, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(names(scene, "low below high"));
+  CHECK(hs_scene_find_limit(scene.get(), context.get(), &limit, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(names(scene, "directory is NULL"));
+  limit.directory = "unused";
+  CHECK(hs_scene_find_limit(scene.get(), nullptr, &limit, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(names(scene, "context is NULL"));
+  limit.varied = HS_SCENE_VARY_SETTING;
+  CHECK(hs_scene_find_limit(scene.get(), context.get(), &limit, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(names(scene, "a setting requires name"));
+  limit.varied = 3;
+  CHECK(hs_scene_find_limit(scene.get(), context.get(), &limit, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(names(scene, "varied is 3"));
+  limit.varied = HS_SCENE_VARY_TILT;
+  limit.limit = NAN;
+  CHECK(hs_scene_find_limit(scene.get(), context.get(), &limit, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(names(scene, "limit is nan"));
+  CHECK(!std::filesystem::exists("unused"));
   CHECK(hs_scene_write_vtk(scene.get(), context.get(), nullptr, nullptr, "a.vtp", nullptr) ==
         HS_ERROR_ARGUMENT);
   hs_scene_destroy(nullptr);

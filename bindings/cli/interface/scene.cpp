@@ -11,12 +11,21 @@ void require_faultless(const hs_scene& scene, const Faults& faults) {
   if (!faults.none()) throw Refusal(HS_ERROR_FORMAT, faults.describe(scene.file.path));
 }
 
-CheckedScene checked_scene(const hs_scene& scene, hs_context* context) {
+void require_read(const hs_scene& scene, hs_context* context) {
   if (!scene.is_read) throw Refusal(HS_ERROR_STATE, "the scene is empty; read one first");
   require_given(context, "context");
+}
+
+CheckedScene read_in(hs_context* context, const SceneFile& file) {
   CheckedScene checked;
-  checked.scene = read_scene_text(*scene.file.content, scene.file.path, checked.faults, scene.file.settings);
+  checked.scene = read_scene_text(*file.content, file.path, checked.faults, file.settings);
   checked.context = borrowed(context);
+  return checked;
+}
+
+CheckedScene checked_scene(const hs_scene& scene, hs_context* context) {
+  require_read(scene, context);
+  CheckedScene checked = read_in(context, scene.file);
   lay_out(checked);
   require_faultless(scene, checked.faults);
   return checked;

@@ -57,6 +57,8 @@ hs_status guarded(hs_scene* scene, Body&& body) noexcept {
     Faults faults;
     faults.add(fault.place, fault.key, fault.what());
     return fail(HS_ERROR_FORMAT, faults.describe(scene->file.path));
+  } catch (const std::invalid_argument& error) {
+    return fail(HS_ERROR_ARGUMENT, error.what());
   } catch (const std::bad_alloc&) {
     return fail(HS_ERROR_OUT_OF_MEMORY, hs_status_string(HS_ERROR_OUT_OF_MEMORY));
   } catch (const std::runtime_error& error) {  // of files
@@ -68,6 +70,12 @@ hs_status guarded(hs_scene* scene, Body&& body) noexcept {
 
 /// Refuses a scene with faults.
 void require_faultless(const hs_scene& scene, const Faults& faults);
+
+/// Refuses an empty scene, and a missing context.
+void require_read(const hs_scene& scene, hs_context* context);
+
+/// Reads a scene that was read before, in a context of the caller.
+CheckedScene read_in(hs_context* context, const SceneFile& file);
 
 /// Reads the scene again, in a context of the caller, and makes its blocks.
 CheckedScene checked_scene(const hs_scene& scene, hs_context* context);

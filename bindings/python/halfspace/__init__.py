@@ -80,7 +80,7 @@ from .records import (
 )
 from .page import View, view
 from .recording import Recording
-from .results import RunResult, SafetyResult
+from .results import LimitResult, RunResult, SafetyResult
 from .scene import Scene
 from .shape import Shape, check_polygon, check_polyhedron, clean_polygon
 from .share import Packed
@@ -130,6 +130,7 @@ __all__ = [
     "InternalError",
     "InvertedError",
     "Law",
+    "LimitResult",
     "Mesh",
     "Motion",
     "OutOfMemoryError",

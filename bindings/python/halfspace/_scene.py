@@ -16,6 +16,7 @@ from ._library import declare_functions, library, open_first
 from .errors import HalfspaceError, SceneError, StateError, error_of
 
 TEXT_TOML, TEXT_NOTES, TEXT_NAMES, TEXT_REPORT, TEXT_TROUBLE = range(5)
+VARY_TILT, VARY_LOADS, VARY_SETTING = range(3)
 
 PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_double, ctypes.c_char_p)
 ROW = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(_raw.hs_world))
@@ -71,7 +72,24 @@ class hs_scene_safety_def(ctypes.Structure):
     ]
 
 
-class hs_scene_safety_result(ctypes.Structure):
+class hs_scene_limit_def(ctypes.Structure):
+    _fields_ = [
+        ("varied", ctypes.c_int32),
+        ("smallest", ctypes.c_int32),
+        ("name", ctypes.c_char_p),
+        ("low", ctypes.c_double),
+        ("high", ctypes.c_double),
+        ("resolution", ctypes.c_double),
+        ("limit", ctypes.c_double),
+        ("directory", ctypes.c_char_p),
+        ("replaces", ctypes.c_int32),
+        ("resumes", ctypes.c_int32),
+        ("progress", PROGRESS),
+        ("user", ctypes.c_void_p),
+    ]
+
+
+class hs_scene_search_result(ctypes.Structure):
     _fields_ = [("end", ctypes.c_int32), ("stable", ctypes.c_double), ("falls", ctypes.c_double)]
 
 
@@ -92,7 +110,9 @@ def _declare(found: ctypes.CDLL) -> None:
         "run_def_init": (None, to(hs_scene_run_def)),
         "run": (status, scene, context, to(hs_scene_run_def), to(hs_scene_run_result), to(world)),
         "safety_def_init": (None, to(hs_scene_safety_def)),
-        "find_safety": (status, scene, context, to(hs_scene_safety_def), to(hs_scene_safety_result)),
+        "find_safety": (status, scene, context, to(hs_scene_safety_def), to(hs_scene_search_result)),
+        "limit_def_init": (None, to(hs_scene_limit_def)),
+        "find_limit": (status, scene, context, to(hs_scene_limit_def), to(hs_scene_search_result)),
         "write_vtk": (status, scene, context, world, ctypes.c_void_p, text, text),
     }
     declare_functions(found, "hs_scene_", functions)

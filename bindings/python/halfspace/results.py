@@ -60,17 +60,17 @@ class RunResult:
 
 
 @dataclasses.dataclass(frozen=True)
-class SafetyResult:
-    """The factor of safety; it prints the report of the command.
+class SearchResult:
+    """The bracket of a search; it prints the report of the command.
 
     Attributes
     ----------
     end : str
         "complete", "interrupted", or "not found" if the scene does not come to rest or the bracket has no limit.
     stable, falls : float
-        Largest factor at which the scene was stable, smallest at which it fell; NaN without any.
+        The values nearest to the limit at which the scene was stable, and at which it fell; NaN without any.
     report : str
-        The text of safety.txt.
+        The text of safety.txt or limit.txt.
     """
 
     end: str
@@ -79,12 +79,29 @@ class SafetyResult:
     report: str = dataclasses.field(repr=False)
 
     @property
-    def factor(self) -> float:
-        """The factor of safety: the middle of the bracket; NaN if it was not found."""
+    def _middle(self) -> float:
         return 0.5 * (self.stable + self.falls) if self.end == "complete" else math.nan
 
     def __str__(self) -> str:
         return self.report
+
+
+class SafetyResult(SearchResult):
+    """The factor of safety; it prints the report of the command."""
+
+    @property
+    def factor(self) -> float:
+        """The factor of safety: the middle of the bracket; NaN if it was not found."""
+        return self._middle
+
+
+class LimitResult(SearchResult):
+    """The limit of a tilt, of loads or of a key; it prints the report of the command."""
+
+    @property
+    def value(self) -> float:
+        """The limit: the middle of the bracket; NaN if it was not found."""
+        return self._middle
 
 
 def _column(cells: List[str]) -> NDArray[Any]:

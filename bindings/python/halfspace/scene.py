@@ -6,7 +6,6 @@ import ctypes
 import os
 import pathlib
 import re
-import tempfile
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _raw, _scene
@@ -14,17 +13,15 @@ from ._callbacks import Callback, Callbacks
 from ._toml import Settings, settings_of, toml_text
 from .context import Context, default_context
 from .errors import SceneError, TooFastError, UnstableError
-from .results import RunResult, SafetyResult, read_history
+from .results import RunResult, read_history
+from .searches import ENDS, PathLike, Searches, output_directory
 from .shape import Shape
 from .sweep import Sweep, sweep_of
 from .world import World
 from .world_tables import tables_of
 
-PathLike = Union[str, "os.PathLike[str]"]
-_ENDS = ("complete", "at rest", "interrupted", "unstable", "too fast", "not found")
 
-
-class Scene:
+class Scene(Searches):
     """A scene: blocks, materials, laws, stages and output, as in a TOML file (docs/scenes/index.md).
 
     Created by `load`, `loads` or `from_dict`. Angles in scenes are in degrees.
@@ -206,7 +203,7 @@ class Scene:
             The time step is too large. The output up to there is kept.
         """
         scene = self if every is None else self.with_settings({"output.history_interval": every})
-        with _directory(output) as directory, scene._in(context) as (owner, address), Callbacks(
+        with output_directory(output) as directory, scene._in(context) as (owner, address), Callbacks(
             progress, callback, scene._worlds_in(owner)
         ) as calls:
             start = None if resume_from is None else os.fsencode(resume_from)
@@ -214,10 +211,10 @@ class Scene:
             found, pointer = _scene.hs_scene_run_result(), ctypes.POINTER(_raw.hs_world)()
             scene._handle.call("run", address, ctypes.byref(definition), ctypes.byref(found), ctypes.byref(pointer))
             world = scene._owned(owner, pointer)
-            calls.end(_ENDS[found.end])
-            scene._raise_trouble(_ENDS[found.end])
+            calls.end(ENDS[found.end])
+            scene._raise_trouble(ENDS[found.end])
             return RunResult(
-                end=_ENDS[found.end],
+                end=ENDS[found.end],
                 world=world,
                 time=found.time,
                 steps=found.steps,
@@ -230,47 +227,6 @@ class Scene:
                 notes=scene._handle.text(_scene.TEXT_NOTES).splitlines(),
                 directory=None if output is None else pathlib.Path(output),
             )
-
-    def safety(
-        self,
-        output: Optional[PathLike] = None,
-        *,
-        low: float = 0.5,
-        high: float = 5.0,
-        resolution: float = 0.005,
-        limit: float = 0.0,
-        replace: bool = False,
-        resume: bool = False,
-        progress: bool = False,
-        context: Optional[Context] = None,
-    ) -> SafetyResult:
-        """Finds the factor of safety, as ``halfspace safety`` does.
-
-        Parameters
-        ----------
-        output : path, optional
-            Directory for trials and pictures.
-        low, high : float
-            The bracket: the scene is stable with all strengths divided by `low`, and falls with `high`.
-        resolution : float
-            Final width of the bracket.
-        limit : float
-            Displacement of a block that counts as failure, m; 0: ten times the elastic slip of all joints, at most
-            a tenth of the block's size.
-        replace, resume : bool
-            Replace an earlier search in the directory, or continue it.
-        progress, context :
-            As in `run`.
-        """
-        with _directory(output) as directory, self._in(context) as (_, address), Callbacks(progress) as calls:
-            definition = _scene.hs_scene_safety_def(
-                low, high, resolution, limit, os.fsencode(directory), replace, resume, calls.progress
-            )
-            found = _scene.hs_scene_safety_result()
-            self._handle.call("find_safety", address, ctypes.byref(definition), ctypes.byref(found))
-            calls.end(_ENDS[found.end])
-            report = self._handle.text(_scene.TEXT_REPORT)
-            return SafetyResult(_ENDS[found.end], found.stable, found.falls, report)
 
     def sweep(
         self,
@@ -332,15 +288,6 @@ class Scene:
         if end in kinds:
             kind, status = kinds[end]
             raise kind(status, self._handle.text(_scene.TEXT_TROUBLE))
-
-
-@contextlib.contextmanager
-def _directory(output: Optional[PathLike]) -> Iterator[str]:
-    if output is not None:
-        yield os.fspath(output)
-        return
-    with tempfile.TemporaryDirectory(prefix="halfspace") as directory:
-        yield directory
 
 
 def shapes_of(tables: Mapping[str, Any], context: Optional[Context] = None) -> List[Shape]:

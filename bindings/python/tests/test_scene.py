@@ -199,12 +199,60 @@ def test_the_factor_of_safety_of_a_slider_is_that_of_coulomb():
     assert found.falls - found.stable <= 0.01 and found.stable < found.factor < found.falls
 
 
+def test_limits_of_a_slider_are_those_of_coulomb():
+    """On a slope of 20 degrees friction must be as large; turned back about -z, by 60 degrees it slides at 40."""
+    scene = hs.Scene.loads(SLIDING)
+    tilted = scene.limit(tilt="-z", low=0, high=70, resolution=0.5)
+    assert tilted.end == "complete" and tilted.stable < tilted.value < tilted.falls
+    assert tilted.stable <= 60 <= tilted.falls <= tilted.stable + 0.5
+    assert "largest tilt" in str(tilted)
+    friction = scene.limit(values={"default_law.friction_angle": (5, 45)}, smallest=True, resolution=0.5)
+    assert friction.falls <= 20 <= friction.stable <= friction.falls + 0.5
+
+
+def test_searches_refuse_what_does_not_fit():
+    scene = hs.Scene.loads(SLIDING)
+    for options in {}, {"tilt": True, "loads": True}, {"values": {"a": (1, 2)}, "tilt": True}:
+        with pytest.raises(ValueError, match="one of tilt, loads and values"):
+            scene.limit(**options)
+    with pytest.raises(ValueError, match="a search varies one"):
+        scene.limit(values={"a": (1, 2), "b": (1, 2)})
+    with pytest.raises(hs.ArgumentError, match="not an axis: x; allowed: z, -z"):
+        scene.limit(tilt="x")
+    with pytest.raises(hs.ArgumentError, match="the bracket 5 to 4"):
+        scene.limit(tilt=True, low=5, high=4)
+    with pytest.raises(hs.SceneError, match="default_law.friction_angle: out of range: 95"):
+        scene.limit(values={"default_law.friction_angle": (5, 95)})
+    with pytest.raises(hs.SceneError, match="no loads"):
+        scene.limit(loads=True)
+    runs = hs.Scene.loads(SLIDING.replace("world.duration = 0.1", 'stage = [{ do = "run", duration = 1 }]'))
+    for search in runs.safety, lambda: runs.limit(tilt=True):
+        with pytest.raises(hs.SceneError, match=r'stage\[0\]: it runs; .* allowed: stages that settle: do = "settle"'):
+            search()
+
+
 def test_a_sweep_in_threads():
     swept = hs.Scene.loads(FALLING).sweep({"world.gravity": [(0, -1), (0, -2)], "world.duration": [0.1, 0.2]}, jobs=2)
     assert swept["max_displacement"] == pytest.approx([0.005, 0.02, 0.01, 0.04])
     assert swept["world.duration"].tolist() == [0.1, 0.2, 0.1, 0.2]
     assert str(swept).splitlines()[0].split() == ["world.gravity", "world.duration", "run_out", "max_displacement",
                                                   "largest_overlap", "energy_residual"]
+
+
+@with_command
+def test_the_files_of_a_limit_are_those_of_the_command(tmp_path):
+    (tmp_path / "slider.toml").write_text(SLIDING, encoding="utf-8")
+    key = "default_law.friction_angle"
+    subprocess.run(
+        [COMMAND, "limit", tmp_path / "slider.toml", "-o", tmp_path / "command", "--set", f"{key}=5:45", "--smallest"],
+        check=True,
+        capture_output=True,
+    )
+    hs.Scene.load(tmp_path / "slider.toml").limit(tmp_path / "python", values={key: (5, 45)}, smallest=True)
+    files = sorted(path.name for path in (tmp_path / "command").iterdir())
+    assert files == ["falls.svg", "limit.txt", "stands.svg", "trials.csv"]
+    for file in files:
+        assert (tmp_path / "python" / file).read_bytes() == (tmp_path / "command" / file).read_bytes(), file
 
 
 @with_command

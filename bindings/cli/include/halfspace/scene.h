@@ -90,12 +90,37 @@ typedef struct hs_scene_safety_def {
   void *user;                 /**< for it */
 } hs_scene_safety_def;
 
+/** Quantities that hs_scene_find_limit() varies. */
+enum {
+  HS_SCENE_VARY_TILT = 0,   /**< the direction of gravity, by an angle in degrees */
+  HS_SCENE_VARY_LOADS = 1,  /**< a factor of the loads of meshes */
+  HS_SCENE_VARY_SETTING = 2 /**< a number of the scene */
+};
+
+/** A search for the largest, or the smallest, value at which a scene is stable. */
+typedef struct hs_scene_limit_def {
+  int32_t varied;             /**< an HS_SCENE_VARY_ value; default HS_SCENE_VARY_TILT */
+  int32_t smallest;           /**< 1: the scene falls below the value; default 0: above it */
+  const char *name;           /**< axis of a tilt, as "-x", NULL: z in 2D, x in 3D; group, mesh or mesh/group of
+                                   loads, NULL: all; key of a setting, not NULL; default NULL */
+  double low;                 /**< lower end of the bracket; default NaN: 0, of a setting required */
+  double high;                /**< upper end; default NaN: 90 degrees or a factor of 10, of a setting required */
+  double resolution;          /**< final width of the bracket; default 0: a thousandth of it */
+  double limit;               /**< m, displacement of a fallen block; default 0: of a tilt as for safety, else a
+                                   tenth of its size */
+  const char *directory;      /**< of the output files; created if missing; not NULL */
+  int32_t replaces;           /**< 1: replace an earlier run in the directory; default 0: refuse it */
+  int32_t resumes;            /**< 1: continue from the trials in the directory; default 0 */
+  hs_scene_progress progress; /**< default NULL */
+  void *user;                 /**< for it */
+} hs_scene_limit_def;
+
 /** Results of a search. */
-typedef struct hs_scene_safety_result {
+typedef struct hs_scene_search_result {
   int32_t end;   /**< an HS_SCENE_ value */
-  double stable; /**< the largest factor at which the scene was stable; NaN without any */
-  double falls;  /**< the smallest factor at which it fell; NaN without any */
-} hs_scene_safety_result;
+  double stable; /**< the value nearest to the limit at which the scene was stable; NaN without any */
+  double falls;  /**< the value nearest to the limit at which it fell; NaN without any */
+} hs_scene_search_result;
 
 /** @brief Creates an empty scene. @param scene receives it @return HS_OK, HS_ERROR_ARGUMENT or
  *  HS_ERROR_OUT_OF_MEMORY */
@@ -162,7 +187,18 @@ HS_API void hs_scene_safety_def_init(hs_scene_safety_def *def);
  *  @param scene that was read @param context with the threads of the search @param def not NULL
  *  @param result receives the results; may be NULL @return as hs_scene_run() */
 HS_CHECKED hs_status hs_scene_find_safety(hs_scene *scene, hs_context *context,
-                                          const hs_scene_safety_def *def, hs_scene_safety_result *result);
+                                          const hs_scene_safety_def *def, hs_scene_search_result *result);
+
+/** @brief Fills the definition of a search with its defaults. @param def not NULL */
+HS_API void hs_scene_limit_def_init(hs_scene_limit_def *def);
+
+/** @brief Finds the largest, or the smallest, tilt, factor of loads or value of a key at which the scene is
+ *  stable, and writes the files of `halfspace limit`.
+ *  @param scene that was read, without stages that run @param context with the threads of the search
+ *  @param def not NULL @param result receives the results; may be NULL
+ *  @return as hs_scene_run(); HS_ERROR_FORMAT also if the scene is faulty at an end of the bracket */
+HS_CHECKED hs_status hs_scene_find_limit(hs_scene *scene, hs_context *context, const hs_scene_limit_def *def,
+                                         hs_scene_search_result *result);
 
 /** @brief Writes the blocks of any world, or its contacts, as a file of VTK XML PolyData for ParaView.
  *  @param scene keeps the error text; it need not have been read @param context of the world
