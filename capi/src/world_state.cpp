@@ -4,6 +4,34 @@
 using namespace halfspace;
 using namespace halfspace::capi;
 
+namespace {
+
+template <int D>
+hs_block_state state_of(const Blocks<D>& blocks, std::size_t slot) {
+  hs_block_state state{};
+  state.kind = std::int32_t(blocks.kind[slot]);
+  state.material = blocks.material[slot];
+  write_pose(blocks.position[slot], blocks.rotation[slot], state.pose);
+  if constexpr (D == 2) state.angle = blocks.angle[slot];
+  write_vector(blocks.velocity[slot], state.velocity);
+  write_angular(blocks.spin[slot], state.angular_velocity);
+  write_vector(blocks.force[slot], state.force);
+  write_angular(blocks.torque[slot], state.torque);
+  state.mass = blocks.is_part(slot) ? 0 : blocks.mass[slot];
+  return state;
+}
+
+/// Refuses a view that has not an entry for each block.
+template <int D>
+void require_one_per_block(const Blocks<D>& blocks, const hs_view& view, const char* name) {
+  if (view.count != blocks.count()) {
+    refuse(HS_ERROR_ARGUMENT, "%s.count is %lld; the world has %lld blocks", name,
+           static_cast<long long>(view.count), static_cast<long long>(blocks.count()));
+  }
+}
+
+}  // namespace
+
 hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t capacity, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
@@ -17,20 +45,18 @@ hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t 
 hs_status hs_world_get_block_state(const hs_world* world, hs_block block, hs_block_state* state) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(state, "state");
-    const Blocks<D>& all = w.blocks();
-    const std::size_t s = std::size_t(slot_of(all, block, "block"));
-    hs_block_state out{};
-    out.kind = std::int32_t(all.kind[s]);
-    out.material = all.material[s];
-    write_pose(all.position[s], all.rotation[s], out.pose);
-    if constexpr (D == 2) out.angle = all.angle[s];
-    write_vector(all.velocity[s], out.velocity);
-    write_angular(all.spin[s], out.angular_velocity);
-    write_vector(all.force[s], out.force);
-    write_angular(all.torque[s], out.torque);
-    out.mass = all.is_part(s) ? 0 : all.mass[s];
-    *state = out;
+    *state = state_of(w.blocks(), std::size_t(slot_of(w.blocks(), block, "block")));
     return HS_OK;
+  });
+}
+
+hs_status hs_world_get_block_states(const hs_world* world, hs_block_state states[], int64_t capacity,
+                                    int64_t* count) {
+  return with_world(world, __func__, [&]<int D>(const World<D>& w) {
+    require_count(capacity, "capacity");
+    if (capacity > 0) require_pointer(states, "states");
+    return write_blocks(w.blocks(), capacity, count,
+                        [&](std::int64_t i, std::size_t s) { states[i] = state_of(w.blocks(), s); });
   });
 }
 
@@ -137,16 +163,9 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
     require_angular_view<D>(angular_velocities, "angular_velocities");
-    const std::int64_t count = w.blocks().count();
-    const auto require_all = [&](const hs_view& view, const char* name) {
-      if (view.count != count) {
-        refuse(HS_ERROR_ARGUMENT, "%s.count is %lld; the world has %lld blocks", name,
-               static_cast<long long>(view.count), static_cast<long long>(count));
-      }
-    };
-    require_all(velocities, "velocities");
+    require_one_per_block(w.blocks(), velocities, "velocities");
     const bool with_turns = angular_velocities.count > 0;
-    if (with_turns) require_all(angular_velocities, "angular_velocities");
+    if (with_turns) require_one_per_block(w.blocks(), angular_velocities, "angular_velocities");
     const auto for_each_velocity = [&](auto use) {
       for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
         const Vector<D> velocity = read_finite_point<D>(velocities, i, "velocities");
@@ -164,6 +183,30 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
     });
     for_each_velocity([&](std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
       w.set_velocity(slot, velocity, spin);
+    });
+    return HS_OK;
+  });
+}
+
+hs_status hs_world_set_applied_forces(hs_world* world, hs_view forces, hs_view torques) {
+  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_view<D>(forces, "forces");
+    require_angular_view<D>(torques, "torques");
+    require_one_per_block(w.blocks(), forces, "forces");
+    const bool with_torques = torques.count > 0;
+    if (with_torques) require_one_per_block(w.blocks(), torques, "torques");
+    const auto for_each_force = [&](auto use) {
+      for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
+        const Vector<D> force = read_finite_point<D>(forces, i, "forces");
+        Angular<D> torque = Angular<D>::Zero();
+        if (with_torques) torque = read_finite_angular<D>(torques, i, "torques");
+        use(slot, force, torque);
+      });
+    };
+    // All forces are validated before any changes.
+    for_each_force([](std::int32_t, const Vector<D>&, const Angular<D>&) {});
+    for_each_force([&](std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
+      if (w.blocks().moves_by_itself(std::size_t(slot))) w.set_applied_force(slot, force, torque);
     });
     return HS_OK;
   });

@@ -381,6 +381,10 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
        [](S s) { return hs_world_get_blocks(s.world.get(), s.written.blocks, 4, &s.written.counts[0]); }},
       {"hs_world_get_block_state", Allocates::never,
        [](S s) { return hs_world_get_block_state(s.world.get(), s.upper, &s.written.state); }},
+      {"hs_world_get_block_states", Allocates::never,
+       [](S s) {
+         return hs_world_get_block_states(s.world.get(), s.written.states, 4, &s.written.counts[0]);
+       }},
       {"hs_world_get_block_vertices", Allocates::never,
        [](S s) {
          return hs_world_get_block_vertices(s.world.get(), s.upper, room(s, 0), &s.written.counts[0]);
@@ -401,6 +405,11 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
        [](S s) {
          const Points3 velocities = {{0, 0, 0}, {1, 2, 0}};
          return hs_world_set_velocities(s.world.get(), view_of(velocities), {});
+       }},
+      {"hs_world_set_applied_forces", Allocates::never,
+       [](S s) {
+         const Points3 forces = {{0, 0, 0}, {1, 2, 0}};
+         return hs_world_set_applied_forces(s.world.get(), view_of(forces), {});
        }},
       {"hs_world_detect", Allocates::always,
        [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},

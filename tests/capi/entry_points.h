@@ -23,6 +23,7 @@ struct Written {
   hs_closest_points closest;
   hs_block blocks[4];
   hs_block_state state;
+  hs_block_state states[4];
   hs_deformation deformations[4];
   hs_world_report report;
   hs_mesh_properties mesh;

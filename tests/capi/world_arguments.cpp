@@ -273,6 +273,7 @@ TEST_CASE("bulk functions refuse bad arrays as a whole") {
   TwoBoxes s;
   hs_world* w = s.world.get();
   hs_block ids[3] = {1, 2, 3};
+  hs_block_state states[3];
   std::vector<hs_pose> poses = poses_of(w);
   REQUIRE(poses.size() == 3);
   double v[9] = {0, 0, 0, 1, 1, 0, 2, 2, 0};
@@ -329,6 +330,18 @@ TEST_CASE("bulk functions refuse bad arrays as a whole") {
         [&] { return hs_world_set_velocities(w, view(v, 3), view(spin, 1)); }},
        {"angular_velocities[1]", "inf",
         [&] { return hs_world_set_velocities(w, view(v, 3), view(spin_inf, 3)); }}});
+  check_unchanged(s, "hs_world_get_block_states",
+                  {{"states", "NULL", [&] { return hs_world_get_block_states(w, nullptr, 3, nullptr); }},
+                   {"capacity", "-1", [&] { return hs_world_get_block_states(w, states, -1, nullptr); }}});
+  check_unchanged(
+      s, "hs_world_set_applied_forces",
+      {{"forces.count", "2", [&] { return hs_world_set_applied_forces(w, view(v, 2), none); }},
+       {"forces.stride", "1", [&] { return hs_world_set_applied_forces(w, view(v, 3, 1), none); }},
+       {"forces[2]", "nan", [&] { return hs_world_set_applied_forces(w, view(v_nan, 3), none); }},
+       {"torques.count", "1", [&] { return hs_world_set_applied_forces(w, view(v, 3), view(spin, 1)); }},
+       {"torques[1]", "inf", [&] { return hs_world_set_applied_forces(w, view(v, 3), view(spin_inf, 3)); }}});
+  CHECK(hs_world_get_block_states(nullptr, states, 3, nullptr) == HS_ERROR_ARGUMENT);
+  CHECK(hs_world_set_applied_forces(nullptr, view(v, 3), none) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_blocks(nullptr, ids, 3, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_get_poses(nullptr, poses.data(), 3, nullptr) == HS_ERROR_ARGUMENT);
   CHECK(hs_world_set_poses(nullptr, poses.data(), 3) == HS_ERROR_ARGUMENT);

@@ -257,4 +257,35 @@ TEST_CASE("poses, velocities, forces and vertices pass in and out in the order o
   CHECK(std::equal(out_turns, out_turns + 9, turn_rows));
 }
 
+TEST_CASE("forces on all blocks are those on each, and so are states") {
+  TwoBoxes all, each;
+  const double forces[9] = {9, 9, 9, 1, 2, 0, 3, 4, 0}, torques[9] = {9, 9, 9, 0, 0, 5, 0, 0, 6};
+  const hs_view force_view{forces, forces + 1, forces + 2, 24, 3};
+  const hs_view torque_view{torques, torques + 1, torques + 2, 24, 3};
+  REQUIRE(hs_world_set_applied_forces(all.world.get(), force_view, torque_view) == HS_OK);  // fixed: ignored
+  REQUIRE(hs_world_set_applied_force(each.world.get(), each.box_on_floor, forces + 3, torques + 3) == HS_OK);
+  REQUIRE(hs_world_set_applied_force(each.world.get(), each.box_away, forces + 6, torques + 6) == HS_OK);
+  CHECK(saved(all.world.get()) == saved(each.world.get()));
+
+  REQUIRE(hs_world_set_applied_forces(all.world.get(), force_view, {}) == HS_OK);
+  const double none[3] = {};
+  REQUIRE(hs_world_set_applied_force(each.world.get(), each.box_on_floor, forces + 3, none) == HS_OK);
+  REQUIRE(hs_world_set_applied_force(each.world.get(), each.box_away, forces + 6, none) == HS_OK);
+  REQUIRE(hs_world_step(all.world.get(), 100) == HS_OK);
+  REQUIRE(hs_world_step(each.world.get(), 100) == HS_OK);
+  CHECK(saved(all.world.get()) == saved(each.world.get()));
+
+  hs_block_state states[3] = {};
+  std::int64_t count = 0;
+  CHECK(hs_world_get_block_states(all.world.get(), states, 2, &count) == HS_NOTE_TRUNCATED);
+  CHECK(count == 3);
+  CHECK(states[2].mass == 0);
+  REQUIRE(hs_world_get_block_states(all.world.get(), states, 3, nullptr) == HS_OK);
+  const hs_block blocks[3] = {each.floor, each.box_on_floor, each.box_away};
+  for (int i = 0; i < 3; ++i) {
+    const hs_block_state state = state_of(each.world.get(), blocks[i]);
+    CHECK(std::memcmp(&states[i], &state, sizeof state) == 0);
+  }
+}
+
 }  // namespace halfspace_test

@@ -103,6 +103,12 @@ TEST_CASE("edits of a compound move and remove its parts", "[compound]") {
   scene.step(100);
   CHECK(scene.state(block).velocity[1] == Approx(2).epsilon(1e-12));
 
+  const double zeros[3] = {}, pushes[3] = {force[1], force[1], force[1]};
+  const hs_view upwards{zeros, pushes, zeros, 8, 3};
+  REQUIRE(hs_world_set_applied_forces(world, upwards, {}) == HS_OK);  // entries of parts are ignored
+  scene.step(100);
+  CHECK(scene.state(block).velocity[1] == Approx(2).epsilon(1e-12));
+
   CHECK(hs_world_remove_block(world, parts[0]) == HS_ERROR_STATE);
   CHECK(hs_world_set_pose(world, parts[0], &pose) == HS_ERROR_STATE);
   CHECK(hs_world_set_velocity(world, parts[0], velocity, spin) == HS_ERROR_STATE);

@@ -32,10 +32,12 @@ module halfspace_block_worlds
     procedure :: blocks
     procedure :: block_count
     procedure :: block_state
+    procedure :: block_states
     procedure :: block_vertices
     procedure :: set_pose
     procedure :: set_velocity
     procedure :: set_applied_force
+    procedure :: set_applied_forces
     procedure, private :: poses_of_blocks => poses
     procedure, private :: set_poses_of_blocks => set_poses
     procedure, private :: velocities_of_blocks => velocities
@@ -221,6 +223,14 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine block_state
 
+    !> Returns the motion of all blocks.
+    module subroutine block_states(self, states, stat, errmsg)
+      class(block_world), intent(in) :: self
+      type(halfspace_block_state), intent(inout), target, contiguous :: states(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine block_states
+
     !> Returns the current positions of a block's vertices, m, in 2D counter-clockwise.
     module subroutine block_vertices(self, block, points, rows, count, stat, errmsg)
       class(block_world), intent(in) :: self
@@ -297,6 +307,17 @@ module halfspace_block_worlds
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_velocities
+
+    !> Sets the external forces and torques on all rigid and affine blocks, until set again; entries of other blocks are
+    !! ignored. Without `torque` the torques are 0.
+    module subroutine set_applied_forces(self, force, torque, rows, stat, errmsg)
+      class(block_world), intent(inout) :: self
+      real(c_double), intent(in), target :: force(:,:)  !< at the centroids, N
+      real(c_double), intent(in), target, optional :: torque(:,:)  !< about the centroids, N m; 3 values per block
+      logical, intent(in), optional :: rows  !< layout of both
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_applied_forces
 
   end interface
 

@@ -1294,6 +1294,17 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_block_state
     end function hs_world_get_block_state
 
+    !> Bulk: motion of all blocks, in the order of hs_world_get_blocks().
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_block_states(world, states, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: states  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in states
+      type(c_ptr), value :: count  !< receives the number of blocks; may be NULL
+      integer(c_int32_t) :: hs_world_get_block_states
+    end function hs_world_get_block_states
+
     !> Returns the current positions of a block's vertices, in 2D counter-clockwise.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
     function hs_world_get_block_vertices(world, block, vertices, count) bind(c)
@@ -1378,6 +1389,17 @@ module halfspace_c
       type(hs_view), value :: angular_velocities  !< one per block, rad/s; 2D uses z; a view with count 0 keeps the current ones
       integer(c_int32_t) :: hs_world_set_velocities
     end function hs_world_set_velocities
+
+    !> Bulk: sets the external forces and torques on all rigid and affine blocks, until set again, in the
+    !! order of hs_world_get_blocks(). Entries of other blocks, and of parts of compounds, are ignored.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT (no force has changed)
+    function hs_world_set_applied_forces(world, forces, torques) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_view), value :: forces  !< one per block, at its centroid, N
+      type(hs_view), value :: torques  !< one per block, about its centroid, N m; 2D uses z; a view with count 0 sets them to 0
+      integer(c_int32_t) :: hs_world_set_applied_forces
+    end function hs_world_set_applied_forces
 
     !> Stage: neighbour search and detection at the current poses.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY

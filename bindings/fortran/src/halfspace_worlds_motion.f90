@@ -35,6 +35,13 @@ contains
     call conclude(status, self%handle%context(), stat, errmsg)
   end procedure block_state
 
+  module procedure block_states
+    integer(c_int32_t) :: status
+    status = hs_world_get_block_states(self%handle%object(), c_loc(states), size(states, kind=c_int64_t), c_null_ptr)
+    if (status >= HS_OK) states%material = states%material + 1
+    call conclude(status, self%handle%context(), stat, errmsg)
+  end procedure block_states
+
   module procedure block_vertices
     if (.not. are_points(points, 'points', rows, stat, errmsg)) return
     call conclude(hs_world_get_block_vertices(self%handle%object(), id_of(block), mutable_view(points, rows), &
@@ -100,5 +107,16 @@ contains
     call conclude(hs_world_set_velocities(self%handle%object(), view(linear, rows), spins), self%handle%context(), &
                   stat, errmsg)
   end procedure set_velocities
+
+  module procedure set_applied_forces
+    type(hs_view) :: turning
+    if (.not. are_points(force, 'force', rows, stat, errmsg)) return
+    if (present(torque)) then
+      if (.not. are_points(torque, 'torque', rows, stat, errmsg)) return
+      turning = view(torque, rows)
+    end if
+    call conclude(hs_world_set_applied_forces(self%handle%object(), view(force, rows), turning), &
+                  self%handle%context(), stat, errmsg)
+  end procedure set_applied_forces
 
 end submodule halfspace_worlds_motion

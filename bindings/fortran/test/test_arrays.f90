@@ -102,7 +102,8 @@ contains
     type(halfspace_world) :: world
     type(halfspace_shape) :: shape
     type(halfspace_pose) :: places(6)
-    integer :: material
+    type(halfspace_block_state) :: states(2)
+    integer :: material, stat
     real(real64) :: linear(2, 2), turning(3, 2), rows(2, 6), force(5, 4), torque(3, 4)
     call shape%create_polygon(corners)
     call world%create(time_step=1e-3_real64)
@@ -129,6 +130,14 @@ contains
     call world%forces(0.0_real64, force(2:5:3, 1:3:2), torque(:, 2:4:2))
     call expect(all(force(2:5:3, 1:3:2) == 0) .and. all(torque(:, 2:4:2) == 0), 'no contact, no force')
     call expect(all(force(:, 2:4:2) == unset) .and. all(torque(:, 1:3:2) == unset), 'what lies between is left alone')
+    call world%set_velocities(reshape([real(real64) :: 0, 0, 0, 0], [2, 2]))
+    call world%set_applied_forces(reshape([real(real64) :: 1, 2, 3e3, 1500 * 9.81_real64], [2, 2]))
+    call world%step(10)
+    call world%block_states(states)
+    call expect(all(states%kind == [HS_BLOCK_FIXED, HS_BLOCK_RIGID]) .and. all(states%material == material), 'states')
+    call expect_close(states(2)%velocity, [0.02_real64, 0.0_real64, 0.0_real64], 1e-12_real64, 'the weight is held')
+    call world%set_applied_forces(force(1:2, 1:1), stat=stat)
+    call expect(stat == HS_ERROR_ARGUMENT, 'a force for one of two blocks')
   end subroutine motions_of_all_layouts
 
   subroutine wrong_extents_are_refused()

@@ -1365,6 +1365,15 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_get_block_state.restype = hs_status
 
+    # Bulk: motion of all blocks, in the order of hs_world_get_blocks().
+    library.hs_world_get_block_states.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # states
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_block_states.restype = hs_status
+
     # Returns the current positions of a block's vertices, in 2D counter-clockwise.
     library.hs_world_get_block_vertices.argtypes = [
         POINTER(hs_world),  # world
@@ -1433,6 +1442,15 @@ def declare(library: Any) -> None:
         hs_view,  # angular_velocities
     ]
     library.hs_world_set_velocities.restype = hs_status
+
+    # Bulk: sets the external forces and torques on all rigid and affine blocks, until set again, in the order
+    # of hs_world_get_blocks(). Entries of other blocks, and of parts of compounds, are ignored.
+    library.hs_world_set_applied_forces.argtypes = [
+        POINTER(hs_world),  # world
+        hs_view,  # forces
+        hs_view,  # torques
+    ]
+    library.hs_world_set_applied_forces.restype = hs_status
 
     # Stage: neighbour search and detection at the current poses.
     library.hs_world_detect.argtypes = [

@@ -12,7 +12,6 @@ from ._arrays import mutable_view_of, require_output, turns_view_of, view_of
 from ._library import library
 from ._record import Records, empty_records
 from .check import Given
-from .constants import BlockKind
 from .context import Context, Handle, held
 from .records import BLOCK_STATE
 
@@ -124,12 +123,8 @@ class BlockArrays(Handle):
         """Returns the motion of all blocks: an array of `BLOCK_STATE`. ``states().force`` are the contact forces of
         the last step, ``states().mass`` the masses."""
         with held(self):
-            blocks = self.blocks
-            states = empty_records(len(blocks), BLOCK_STATE)
-            address, size = states.ctypes.data, BLOCK_STATE.itemsize
-            for i, block in enumerate(blocks.tolist()):
-                state = _raw.hs_block_state.from_address(address + i * size)
-                self._call(library.hs_world_get_block_state, block, state)
+            states = empty_records(len(self), BLOCK_STATE)
+            self._call(library.hs_world_get_block_states, states.ctypes.data, len(states), None)
         return states
 
     @property
@@ -145,25 +140,12 @@ class BlockArrays(Handle):
 
     def set_applied_forces(self, forces: ArrayLike, torques: Optional[ArrayLike] = None) -> None:
         """Sets the external forces, N, shape (n, dimension), and torques, N m, shape (n,) in 2D, (n, 3) in 3D, of all
-        rigid and affine blocks, until set again; those of other blocks are ignored."""
-        with held(self):
-            states = self.states()
-            given, turns = np.zeros((2, len(states), 3))
-            view = np.asarray(forces, np.float64)
-            if view.shape != (len(states), self.dimension):
-                raise ValueError(f"forces has the shape {view.shape}; it must be ({len(states)}, {self.dimension})")
-            given[:, : self.dimension] = view
-            if torques is not None:
-                about = np.asarray(torques, np.float64)
-                wanted = (len(states),) if self.dimension == 2 else (len(states), 3)
-                if about.shape != wanted:
-                    raise ValueError(f"torques has the shape {about.shape}; it must be {wanted}")
-                turns[:, 2 if self.dimension == 2 else slice(None)] = about
-            self._given.beyond_scenes.add("applied forces")
-            take = np.isin(states["kind"], (BlockKind.RIGID, BlockKind.AFFINE))
-            triple = ctypes.c_double * 3
-            for block, force, torque in zip(self.blocks[take].tolist(), given[take], turns[take]):
-                self._call(library.hs_world_set_applied_force, block, triple(*force), triple(*torque))
+        rigid and affine blocks, until set again; without torques these are 0. Those of other blocks are ignored.
+        Strided arrays of float64 are not copied."""
+        view = view_of(forces, self.dimension, "forces")
+        about = _raw.hs_view() if torques is None else turns_view_of(torques, self.dimension, "torques")
+        self._call(library.hs_world_set_applied_forces, view, about)
+        self._given.beyond_scenes.add("applied forces")
 
     def _vectors_and_turns(
         self, function: Any, before: Tuple[Any, ...], out: Optional[Floats], turns_out: Optional[Floats]

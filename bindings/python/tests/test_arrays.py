@@ -247,8 +247,13 @@ def test_forces_of_all_blocks_in_and_out(dimension):
     assert world.velocities[1:, -1] == pytest.approx(-9.81 * 0.01, rel=1e-9)
     states = world.states()
     assert states.mass[1:].tolist() == [2000] * 3 and states.kind[0] == hs.BlockKind.FIXED
-    with pytest.raises(ValueError, match="forces has the shape"):
+    assert all(state == world.state(block) for state, block in zip(states, world.blocks.tolist()))
+    with pytest.raises(hs.ArgumentError, match="forces.count is 3; the world has 4 blocks"):
         world.set_applied_forces(np.zeros((3, dimension)))
+    with pytest.raises(hs.ArgumentError, match="torques.count is 2"):
+        world.set_applied_forces(np.zeros((4, dimension)), torques[:2])
+    with pytest.raises(hs.ArgumentError, match="forces.1. is .*nan"):
+        world.set_applied_forces(np.where(np.arange(4)[:, None] == 1, np.nan, np.ones((4, dimension))))
 
 
 def test_contact_forces_balance_the_weight(resting_world):

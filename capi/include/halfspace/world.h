@@ -218,6 +218,13 @@ HS_CHECKED hs_status hs_world_get_blocks(const hs_world *world, hs_block blocks[
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID */
 HS_CHECKED hs_status hs_world_get_block_state(const hs_world *world, hs_block block, hs_block_state *state);
 
+/** @brief Bulk: motion of all blocks, in the order of hs_world_get_blocks().
+ *  @param world not NULL @param states receives them; may be NULL if capacity is 0 @param capacity in states
+ *  @param count receives the number of blocks; may be NULL
+ *  @return HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT */
+HS_CHECKED hs_status hs_world_get_block_states(const hs_world *world, hs_block_state states[],
+                                               int64_t capacity, int64_t *count);
+
 /** @brief Returns the current positions of a block's vertices, in 2D counter-clockwise.
  *  @param world not NULL @param block id @param vertices receives them; its count is the capacity
  *  @param count receives the number of vertices; may be NULL
@@ -271,6 +278,13 @@ HS_CHECKED hs_status hs_world_get_velocities(const hs_world *world, hs_mutable_v
  *  @param angular_velocities one per block, rad/s; 2D uses z; a view with count 0 keeps the current ones
  *  @return HS_OK or HS_ERROR_ARGUMENT (no velocity has changed) */
 HS_CHECKED hs_status hs_world_set_velocities(hs_world *world, hs_view velocities, hs_view angular_velocities);
+
+/** @brief Bulk: sets the external forces and torques on all rigid and affine blocks, until set again, in the
+ *  order of hs_world_get_blocks(). Entries of other blocks, and of parts of compounds, are ignored.
+ *  @param world not NULL @param forces one per block, at its centroid, N
+ *  @param torques one per block, about its centroid, N m; 2D uses z; a view with count 0 sets them to 0
+ *  @return HS_OK or HS_ERROR_ARGUMENT (no force has changed) */
+HS_CHECKED hs_status hs_world_set_applied_forces(hs_world *world, hs_view forces, hs_view torques);
 
 /** @brief Stage: neighbour search and detection at the current poses.
  *  @param world not NULL @param touching receives the number of pairs in contact; may be NULL

@@ -1926,6 +1926,21 @@ extern "C" {
         state: *mut hs_block_state,
     ) -> hs_status;
 
+    /// Bulk: motion of all blocks, in the order of hs_world_get_blocks().
+    ///
+    /// - `world`: not NULL
+    /// - `states`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in states
+    /// - `count`: receives the number of blocks; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_block_states(
+        world: *const hs_world,
+        states: *mut hs_block_state,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
     /// Returns the current positions of a block's vertices, in 2D counter-clockwise.
     ///
     /// - `world`: not NULL
@@ -2033,6 +2048,20 @@ extern "C" {
         world: *mut hs_world,
         velocities: hs_view,
         angular_velocities: hs_view,
+    ) -> hs_status;
+
+    /// Bulk: sets the external forces and torques on all rigid and affine blocks, until set again, in the
+    /// order of hs_world_get_blocks(). Entries of other blocks, and of parts of compounds, are ignored.
+    ///
+    /// - `world`: not NULL
+    /// - `forces`: one per block, at its centroid, N
+    /// - `torques`: one per block, about its centroid, N m; 2D uses z; a view with count 0 sets them to 0
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT (no force has changed)
+    pub fn hs_world_set_applied_forces(
+        world: *mut hs_world,
+        forces: hs_view,
+        torques: hs_view,
     ) -> hs_status;
 
     /// Stage: neighbour search and detection at the current poses.

@@ -170,6 +170,30 @@ impl World {
         self.check(unsafe { sys::hs_world_set_velocities(self.handle(), velocities, angular) })
     }
 
+    /// Returns the motion of all blocks.
+    pub fn block_states(&self) -> Vec<BlockState> {
+        let mut raw = vec![sys::hs_block_state::default(); self.block_count()];
+        let (room, count) = (raw.as_mut_ptr(), raw.len() as i64);
+        // SAFETY: the world lives, and the array is as long as said.
+        self.owner().expect(unsafe {
+            sys::hs_world_get_block_states(self.handle(), room, count, ptr::null_mut())
+        });
+        raw.into_iter().map(BlockState::from).collect()
+    }
+
+    /// Sets the external forces at the centroids, in N, and torques about them, in N m, of all rigid
+    /// and affine blocks, until set again; torques have three components, and an empty view sets
+    /// them to 0. Entries of other blocks are ignored. After an error none has changed.
+    pub fn set_applied_forces<'a, 'b>(
+        &mut self,
+        forces: impl Into<View<'a>>,
+        torques: impl Into<View<'b>>,
+    ) -> Result<()> {
+        let (forces, torques) = (forces.into().raw(), torques.into().raw());
+        // SAFETY: the world lives, and the views borrow what they say.
+        self.check(unsafe { sys::hs_world_set_applied_forces(self.handle(), forces, torques) })
+    }
+
     /// Stage: neighbour search and detection at the current poses. Returns the number of pairs in
     /// contact.
     pub fn detect(&mut self) -> Result<usize> {

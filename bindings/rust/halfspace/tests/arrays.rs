@@ -136,6 +136,31 @@ fn two_fields_of_the_same_items_are_written_at_once() {
 }
 
 #[test]
+fn states_and_forces_of_all_blocks_are_those_one_by_one() {
+    let forces = [[1e3, 0.0, 0.0], [0.0, 2e3, 0.0]];
+    let torques = [[0.0, 0.0, 3.0], [4.0, 0.0, 0.0]];
+    let (mut world, mut other) = (moving_world(), moving_world());
+    world.set_applied_forces(&forces, &torques).unwrap();
+    for (block, (force, torque)) in other
+        .blocks()
+        .into_iter()
+        .zip(forces.into_iter().zip(torques))
+    {
+        other.set_applied_force(block, force, torque).unwrap();
+    }
+    world.step(10).unwrap();
+    other.step(10).unwrap();
+    let single: Vec<_> = other
+        .blocks()
+        .into_iter()
+        .map(|block| other.block_state(block).unwrap())
+        .collect();
+    assert_eq!(world.block_states(), single);
+    assert_ne!(single, moving_world().block_states());
+    assert!(world.set_applied_forces(&forces[..1], &torques).is_err());
+}
+
+#[test]
 fn arrays_of_the_wrong_length_are_refused_before_anything_is_written() {
     let mut world = moving_world();
     let mut one = [[9.0; 3]; 1];
