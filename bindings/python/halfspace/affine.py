@@ -69,6 +69,7 @@ class AffineBlocks(BlockArrays):
     def set_elasticity(self, material: int, elasticity: Elasticity) -> None:
         """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
+        self._load_length = 0  # virials are loads, too
         self._given.see(f"material[{material}]", elasticity)
         self._given.elasticities[f"material[{material}]"] = elasticity
 

@@ -69,6 +69,8 @@ class Shares(BlockArrays):
     affine blocks, laws with springs and potential laws, water and applied forces; the world needs a given time step.
     """
 
+    _load_length = 0  # of a row of loads; 0: to be asked for, as its computation visits all blocks
+
     @property
     def keys(self) -> NDArray[np.int64]:
         """Names of all blocks in all shares, ascending; by default places in `blocks`. Assignment sets those of a
@@ -218,4 +220,6 @@ class Shares(BlockArrays):
         return cast(SharePlan, array[0])
 
     def _shape_of_loads(self, keys: NDArray[np.int64]) -> Tuple[int, int]:
-        return keys.size, self.share_info().load_length
+        if self._load_length == 0:
+            self._load_length = self.share_info().load_length
+        return keys.size, self._load_length

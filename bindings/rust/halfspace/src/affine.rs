@@ -51,6 +51,8 @@ impl World {
     /// Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep
     /// their strain.
     pub fn set_elasticity(&mut self, material: Material, elasticity: &Elasticity) -> Result<()> {
+        // Virials are loads, too.
+        self.load_length = None;
         // SAFETY: the world lives and is borrowed mutably, the elasticity is valid.
         self.check(unsafe {
             sys::hs_world_set_elasticity(self.handle(), material.0, &elasticity.raw)

@@ -228,11 +228,20 @@ impl World {
         self.check(unsafe { sys::hs_world_move(self.handle()) })
     }
 
+    /// Numbers per key of [`World::loads`].
+    fn load_length(&mut self) -> usize {
+        let length = self
+            .load_length
+            .unwrap_or_else(|| self.share_info().load_length);
+        self.load_length = Some(length);
+        length
+    }
+
     /// Returns the loads of the contacts on own blocks, for the shares that have copies:
     /// [`ShareInfo::load_length`] numbers per key, which are force, torque, and in worlds with elastic
     /// materials the virial.
     pub fn loads(&mut self, keys: &[i64]) -> Result<Vec<f64>> {
-        let mut loads = vec![0.0; keys.len() * self.share_info().load_length];
+        let mut loads = vec![0.0; keys.len() * self.load_length()];
         let (room, count) = (loads.as_mut_ptr(), keys.len() as i64);
         // SAFETY: the world lives, and there is room for the loads of all keys.
         self.check(unsafe { sys::hs_world_get_loads(self.handle(), keys.as_ptr(), count, room) })?;
@@ -241,7 +250,7 @@ impl World {
 
     /// Sets the loads of the contacts on copies, as [`World::loads`] of their owner returned them.
     pub fn set_loads(&mut self, keys: &[i64], loads: &[f64]) -> Result<()> {
-        let expected = keys.len() * self.share_info().load_length;
+        let expected = keys.len() * self.load_length();
         if loads.len() != expected {
             return Err(Error::argument(&format!(
                 "World::set_loads: loads has {} numbers; {} keys take {expected}",

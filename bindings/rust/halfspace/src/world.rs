@@ -81,6 +81,8 @@ pub struct World {
     owner: Arc<Owner>,
     /// Cached, so that checks of array lengths are cheap.
     pub(crate) block_count: usize,
+    /// Of a row of loads, cached likewise; `None` before the first and after a change of materials.
+    pub(crate) load_length: Option<usize>,
 }
 
 impl World {
@@ -221,6 +223,7 @@ impl World {
             handle: NonNull::new(handle)?,
             owner: Arc::clone(owner),
             block_count: 0,
+            load_length: None,
         };
         world.recount_blocks();
         Some(world)
