@@ -81,8 +81,18 @@ fn built_from_sources() -> Result<Flags, String> {
         return Err("there are no sources of it around the crate".to_owned());
     }
     let build = Path::new(&env::var("OUT_DIR").expect("cargo sets OUT_DIR")).join("libhalfspace");
-    let off = ["CLI", "TESTS", "DOCS", "BOX2D", "FORTRAN", "PYTHON", "RUST"]
-        .map(|part| format!("-DHALFSPACE_BUILD_{part}=OFF"));
+    let parts = [
+        "CLI",
+        "TESTS",
+        "BENCHMARKS",
+        "DOCS",
+        "BOX2D",
+        "FORTRAN",
+        "PYTHON",
+        "RUST",
+        "LAMMPS",
+    ];
+    let off = parts.map(|part| format!("-DHALFSPACE_BUILD_{part}=OFF"));
     let mut configure = Command::new("cmake");
     configure
         .arg("-S")
@@ -94,6 +104,7 @@ fn built_from_sources() -> Result<Flags, String> {
     let mut make = Command::new("cmake");
     make.arg("--build").arg(&build);
     make.args(["--target", "halfspace", "--parallel"]);
+    make.arg(env::var("NUM_JOBS").expect("cargo sets NUM_JOBS"));
     for command in [&mut configure, &mut make] {
         let answer = command
             .output()
