@@ -41,9 +41,7 @@ ShareRole role_of(const World<D>& w, std::size_t slot) {
 
 template <int D>
 std::int32_t load_length_of(const World<D>& w) {
-  bool is_elastic = false;
-  for (std::int32_t m = 0; m < w.material_count(); ++m) is_elastic |= w.elasticity(m).is_given();
-  return (D == 2 ? 3 : 6) + (is_elastic ? D * D : 0);
+  return (D == 2 ? 3 : 6) + (w.model().materials.any_elastic() ? D * D : 0);
 }
 
 /// The slot of a key whose block has a role for which `is_right` holds.
@@ -185,7 +183,8 @@ hs_status hs_world_get_share_info(hs_world* world, hs_share_info* info, size_t s
                              w.share().lost_pairs(),
                              load_length_of(w),
                              w.share().is_whole(),
-                             w.halo()};
+                             w.halo(),
+                             w.common_of_shares().blocks};
     write_sized(ours, info, size);
     return HS_OK;
   });
@@ -249,7 +248,6 @@ hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
 hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(sums, "sums");
-    require_joined(w);
     std::array<double, HS_SUM_COUNT> all;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!std::isfinite(sums[i]))

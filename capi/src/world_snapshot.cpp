@@ -13,11 +13,20 @@ struct Header {
   std::uint64_t checksum = 0;
 };
 
+/// A step in pieces has no state that could be continued.
+template <int D>
+void require_between_steps(const World<D>& w) {
+  const ShareStage stage = w.share().stage();
+  if (!w.share().is_whole() && (stage == ShareStage::begun || stage == ShareStage::moved))
+    refuse(HS_ERROR_STATE, "world is within a step; call %s first",
+           stage == ShareStage::begun ? "hs_world_end_begin()" : "hs_world_end_step()");
+}
+
 }  // namespace
 
 hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, size_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
-    require_joined(w);
+    require_between_steps(w);
     require_pointer(count, "count");
     if (capacity > 0) require_pointer(bytes, "bytes");
     const std::size_t size = snapshot::state_size(w);

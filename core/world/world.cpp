@@ -49,6 +49,7 @@ void World<D>::end_reading() {
   model_.actions.renew(model_.blocks);
   model_.viscous_nodes.renew(model_.blocks.meshes());
   integrator_.reserve(model_.blocks.slot_count());
+  share_.find_rings(contacts_.neighbors().pairs());
   fit_rooms();
 }
 
@@ -340,7 +341,9 @@ bool World<D>::is_consistent() const {
          clock_.is_consistent() && hard_contacts_.is_consistent() &&
          sleep_.is_consistent(model_.blocks.slot_count(), !edited_ && model_.settings.sleep_tolerance > 0) &&
          penetration_bound_.is_consistent() && is_nonnegative(peak_speed_) &&
-         is_strength_factor(strength_factor_);
+         is_strength_factor(strength_factor_) &&
+         share_.is_consistent(model_.blocks.slot_count(),
+                              [&](std::size_t i) { return !model_.blocks.moves_freely(i); });
 }
 
 template class World<2>;

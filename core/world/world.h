@@ -209,6 +209,8 @@ class World {
   void set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque, const Tensor<D>& virial);
   EnergyLedger::Sums ledger_sums() const { return ledger_.sums(); }
   void set_ledger_sums(const EnergyLedger::Sums& sums) { ledger_.set_sums(sums); }
+  /// The properties that all shares of this world have, or of the world of which it is a share.
+  Share::Common common_of_shares();
   /// Twice the largest distance of the centroids of two blocks that the next list may hold.
   double halo();
 
@@ -276,7 +278,8 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(model_, contacts_, forces_, integrator_, ledger_, clock_, penetration_bound_, peak_speed_,
-            bond_strain_energy_, bolt_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_);
+            bond_strain_energy_, bolt_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_,
+            share_);
   }
 
  private:
@@ -349,7 +352,6 @@ class World {
   void end_motion();
   AssemblyFault::Kind read_record(World& from, const PackedBlock& block, std::int32_t known,
                                   BlockRecord<D>& out);
-  Share::Common common_of_shares();
   AssemblyFault take_blocks(World& from, std::span<const PackedBlock> blocks, CarriedPairs<D>& pairs);
   void take_pairs(const World& from, const CarriedPairs<D>& pairs);
   void take_contacts(const World& from, const CarriedPairs<D>& pairs);

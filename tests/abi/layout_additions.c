@@ -78,7 +78,7 @@ FIELD(hs_packed, size, 16, 8);
 FIELD(hs_packed, role, 24, 4);
 FIELD(hs_packed, reserved, 28, 4);
 
-_Static_assert(sizeof(hs_share_info) == 48, "hs_share_info");
+_Static_assert(sizeof(hs_share_info) == 56, "hs_share_info");
 FIELD(hs_share_info, own_count, 0, 8);
 FIELD(hs_share_info, neighbor_count, 8, 8);
 FIELD(hs_share_info, everywhere_count, 16, 8);
@@ -86,6 +86,7 @@ FIELD(hs_share_info, lost_pairs, 24, 8);
 FIELD(hs_share_info, load_length, 32, 4);
 FIELD(hs_share_info, is_whole, 36, 4);
 FIELD(hs_share_info, halo, 40, 8);
+FIELD(hs_share_info, whole_count, 48, 8);
 
 _Static_assert(sizeof(hs_share_plan) == 16, "hs_share_plan");
 FIELD(hs_share_plan, needs_list, 0, 4);

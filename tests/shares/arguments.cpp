@@ -80,9 +80,7 @@ TEST_CASE("a share refuses what only the whole world can do", "[shares]") {
   const Row row;
   World share;
   require_ok(row.assemble(left, &share), row.context.get());
-  std::size_t size = 0;
   CHECK(hs_world_step(share.get(), 1) == HS_ERROR_STATE);
-  CHECK(hs_world_save(share.get(), nullptr, 0, &size) == HS_ERROR_STATE);
   const hs_pose pose = {{0, 5, 0}, {0, 0, 0, 1}};
   std::int64_t count = 0;
   hs_block boxes[4];
@@ -95,6 +93,23 @@ TEST_CASE("a share refuses what only the whole world can do", "[shares]") {
   CHECK(info_of(share.get()).own_count == 2);
   CHECK(info_of(share.get()).neighbor_count == 1);
   CHECK(info_of(share.get()).everywhere_count == 1);
+}
+
+TEST_CASE("a share is saved between steps, with its keys and roles", "[shares]") {
+  const Row row;
+  World share;
+  require_ok(row.assemble(left, &share), row.context.get());
+  std::size_t size = 0;
+  require_ok(hs_world_begin(share.get()), row.context.get());
+  CHECK(hs_world_save(share.get(), nullptr, 0, &size) == HS_ERROR_STATE);
+  CHECK_THAT(row.error(), Catch::Contains("call hs_world_end_begin() first"));
+  require_ok(hs_world_end_begin(share.get()), row.context.get());
+  std::vector<unsigned char> bytes = saved(share.get());
+  const World again = restored(row.context.get(), bytes);
+  CHECK(keys_of(again.get()) == keys_of(share.get()));
+  CHECK(roles_of(again.get()) == roles_of(share.get()));
+  CHECK(info_of(again.get()).lost_pairs == info_of(share.get()).lost_pairs);
+  CHECK(saved(again.get()) == bytes);
 }
 
 TEST_CASE("the pieces of a step are called in their order", "[shares]") {

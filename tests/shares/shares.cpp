@@ -33,6 +33,25 @@ TEST_CASE("bonds by laws are made in shares of a world that was reported", "[sha
   compare(saved(wall.get()), 3, 2000);
 }
 
+TEST_CASE("shares that were saved go on with the same bits", "[shares]") {
+  const std::int32_t kind = GENERATE(std::int32_t(HS_BLOCK_RIGID), std::int32_t(HS_BLOCK_AFFINE));
+  const bool is_plane = GENERATE(true, false);
+  const LawOfStiffness& of = laws_of_stiffness[GENERATE(0, 2)];
+  INFO(of.name << ", kind " << kind << (is_plane ? ", plane" : ", space"));
+  const std::vector<unsigned char> start = is_plane ? heap_in_plane(of, kind) : heap_in_space(of, kind);
+  const Context context = make_context();
+  const World whole = restored(context.get(), start);
+  require_ok(hs_world_step(whole.get(), 2000), context.get());
+  SplitWorld split(start, 3);
+  for (int i = 0; i < 2000; ++i) {
+    split.step();
+    if (i % 77 == 0) split.restart();
+  }
+  const World joined = split.joined();
+  CHECK(first_difference(split.context(), joined.get(), context.get(), whole.get()) == "none");
+  check_sums(split.sums(), whole.get());
+}
+
 TEST_CASE("shares with two threads each keep the bits", "[shares]") {
   compare(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID, 1600), 2, 400, 2);
 }

@@ -119,6 +119,10 @@ class SplitWorld {
     shares_.front().ok(hs_world_set_sums(whole.get(), sums().data()));
     return whole;
   }
+  /// Goes on from a snapshot of each share.
+  void restart() {
+    for (Share& share : shares_) share.world = restored(share.context.get(), saved(share.world.get()));
+  }
   /// Energies and losses of all shares together.
   std::vector<double> sums() const {
     std::vector<double> sums(HS_SUM_COUNT), own(HS_SUM_COUNT);

@@ -786,6 +786,7 @@ module halfspace_c
     !! all shares the largest counts. Twice as far as a pair of the next list. Call after
     !! hs_world_plan_motion()
     real(c_double) :: halo = 0.0_c_double
+    integer(c_int64_t) :: whole_count = 0  !< blocks of the whole world: own ones of all shares, and those that are everywhere
   end type hs_share_info
 
   !> The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
@@ -1474,10 +1475,11 @@ module halfspace_c
     end function hs_world_set_shear_force
 
     !> Saves a snapshot of the complete state. A restored world continues bit for bit.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT
+    !! Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share
+    !! within a step)
     function hs_world_save(world, bytes, capacity, count) bind(c)
       import
-      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: world  !< not NULL; a share between two steps
       type(c_ptr), value :: bytes  !< receives it; may be NULL if capacity is 0
       integer(c_size_t), value :: capacity  !< in bytes
       integer(c_size_t), intent(out) :: count  !< receives the size of the snapshot in bytes; not NULL
@@ -2373,11 +2375,12 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_sums
     end function hs_world_get_sums
 
-    !> Sets them: in a joined world to the sums over all shares, whose losses it continues.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share)
+    !> Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    !! losses; to zeros in a share without own blocks.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_sums(world, sums) bind(c)
       import
-      type(c_ptr), value :: world  !< a whole world
+      type(c_ptr), value :: world  !< a share or a whole world
       type(c_ptr), value :: sums  !< HS_SUM_COUNT values, finite
       integer(c_int32_t) :: hs_world_set_sums
     end function hs_world_set_sums

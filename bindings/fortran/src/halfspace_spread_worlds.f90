@@ -183,7 +183,7 @@ contains
     call conclude(hs_world_get_sums(self%c_handle(), c_loc(values)), self%c_context(), stat, errmsg)
   end subroutine sums
 
-  !> Sets them: in a joined world to the sums over all shares, whose losses it continues.
+  !> Sets them: to the sums over the shares whose blocks the world has taken over.
   subroutine set_sums(self, values, stat, errmsg)
     class(spread_world), intent(inout) :: self
     real(c_double), intent(in), target :: values(HS_SUM_COUNT)

@@ -969,6 +969,8 @@ class hs_share_info(Structure):
         # of all shares the largest counts. Twice as far as a pair of the next list. Call after
         # hs_world_plan_motion()
         ("halo", c_double),
+        # blocks of the whole world: own ones of all shares, and those that are everywhere
+        ("whole_count", c_int64),
     ]
 
 
@@ -2216,7 +2218,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_get_sums.restype = hs_status
 
-    # Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    # Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    # losses; to zeros in a share without own blocks.
     library.hs_world_set_sums.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # sums

@@ -972,6 +972,8 @@ class ShareInfo(Record):
         a share needs copies of all blocks whose centroids are nearer than this to that of an own block, m; of
         all shares the largest counts. Twice as far as a pair of the next list. Call after
         hs_world_plan_motion()
+    whole_count : int
+        blocks of the whole world: own ones of all shares, and those that are everywhere
     """
 
     own_count: int
@@ -981,6 +983,7 @@ class ShareInfo(Record):
     load_length: int
     is_whole: int
     halo: float
+    whole_count: int
 
 
 SHARE_INFO = record_type(ShareInfo, _raw.hs_share_info)

@@ -154,7 +154,7 @@ class Shares(BlockArrays):
     @property
     def sums(self) -> Floats:
         """Energies and losses, J and W, as 21 numbers that add up over shares to those of the whole world. Assignment
-        sets them: in a joined world to the sums over all shares, whose losses it continues."""
+        sets them: to the sums over the shares whose blocks the world has taken over, as it continues their losses."""
         sums = np.empty(_raw.HS_SUM_COUNT)
         self._call(library.hs_world_get_sums, sums.ctypes.data)
         return sums

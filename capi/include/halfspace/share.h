@@ -13,8 +13,9 @@
  *
  *  Shares hold rigid and affine blocks, laws with springs and potential laws, water and applied forces.
  *  hs_world_assemble() refuses, by name: meshes, bonds of bond.h, compounds, bolts, actions, sleep, laws
- *  without springs, and worlds without a given time step. A share cannot be saved or relaxed, and no block is
- *  added to it, removed or placed: join the shares first. Laws, gravity and damping may be changed between
+ *  without springs, and worlds without a given time step. A share cannot be relaxed, and no block is added to
+ *  it, removed or placed: join the shares first. Between steps it can be saved by hs_world_save() with its
+ *  copies and keys, and restored in another run. Laws, gravity and damping may be changed between
  *  steps, alike in all shares, as may velocities and applied forces, alike in all shares that hold the block;
  *  then hs_world_begin() and hs_world_end_begin() follow. See docs/concepts/shares.md.
  */
@@ -61,6 +62,7 @@ typedef struct hs_share_info {
   double halo; /**< a share needs copies of all blocks whose centroids are nearer than this to that of an own
                     block, m; of all shares the largest counts. Twice as far as a pair of the next list. Call
                     after hs_world_plan_motion() */
+  int64_t whole_count; /**< blocks of the whole world: own ones of all shares, and those that are everywhere */
 } hs_share_info;
 
 /** The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the first
@@ -142,9 +144,10 @@ HS_CHECKED hs_status hs_world_assemble(hs_context *context, hs_world *from, cons
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_sums(const hs_world *world, double sums[]);
 
-/** @brief Sets them: in a joined world to the sums over all shares, whose losses it continues.
- *  @param world a whole world @param sums HS_SUM_COUNT values, finite
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share) */
+/** @brief Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+ *  losses; to zeros in a share without own blocks.
+ *  @param world a share or a whole world @param sums HS_SUM_COUNT values, finite
+ *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_set_sums(hs_world *world, const double sums[]);
 
 /** @brief Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "block/elasticity.h"
@@ -29,6 +30,10 @@ class Materials {
     elasticity_[std::size_t(material)] = elasticity;
   }
   const Elasticity& elasticity(std::int32_t material) const { return elasticity_[std::size_t(material)]; }
+  bool any_elastic() const {
+    return std::any_of(elasticity_.begin(), elasticity_.end(),
+                       [](const Elasticity& elasticity) { return elasticity.is_given(); });
+  }
   BulkMaterials bulk() const { return {density_, elasticity_}; }
   LawTable& laws() { return laws_; }
   const LawTable& laws() const { return laws_; }

@@ -86,7 +86,6 @@ AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& blo
                                                                 : AssemblyFault::wrong_role;
 }
 
-/// The common properties of all shares of this world, or of the world of which it is a share.
 template <int D>
 Share::Common World<D>::common_of_shares() {
   if (!share_.is_whole()) return share_.common();
@@ -128,8 +127,8 @@ AssemblyFault World<D>::take_blocks(World<D>& from, std::span<const PackedBlock>
     return found != blocks.end() && found->key == key ? std::int32_t(found - blocks.begin()) : -1;
   };
   NeighborList<D>& neighbors = contacts_.neighbors();
-  const bool is_listed = from.contacts_.neighbors().list_length() > 0;
-  const bool with_gradients = from.contacts_.neighbors().has_gradients();
+  const bool is_listed = from.contacts_.neighbors().builds() > 0;
+  const bool with_gradients = model_.materials.any_elastic();
   BlockRecord<D> record(model_.blocks.kind.get_allocator().resource());
   share_.reserve(blocks.size());
   integrator_.reserve(blocks.size());

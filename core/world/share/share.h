@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
+#include "geometry/numbers.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -125,14 +127,33 @@ class Share {
   template <class Pair>
   void note_entrance(const Pair& pair) {
     if (!is_whole() && (is_border_[std::size_t(pair.a)] || is_border_[std::size_t(pair.b)]))
-      needs_assembly_ = true;
+      needs_assembly_ = 1;
   }
   /// `missing`: per block, how many of its pairs are with blocks that are not here. Call after find_rings().
   void note_missing(std::span<const std::int32_t> missing);
-  bool needs_assembly() const { return needs_assembly_; }
+  bool needs_assembly() const { return needs_assembly_ != 0; }
 
   ShareStage stage() const { return stage_; }
   void enter(ShareStage stage) { stage_ = stage; }
+
+  /// Snapshots have neither the stage, as they are taken between steps, nor the rings.
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(keys_, roles_, is_idle_, common_, slot_of_first_, lost_pairs_, needs_assembly_);
+  }
+  /// `is_fixed(i)`: the block of a slot has one motion everywhere.
+  template <class IsFixed>
+  bool is_consistent(std::size_t slots, IsFixed is_fixed) const {
+    const auto is_per_slot = [&](const auto& array) { return array.empty() || array.size() == slots; };
+    if (!is_per_slot(keys_) || !is_per_slot(roles_) || !is_per_slot(is_idle_) || keys_.size() < roles_.size())
+      return false;
+    for (std::size_t i = 0; i < roles_.size(); ++i) {
+      const bool is_everywhere = roles_[i] == ShareRole::everywhere;
+      if (is_everywhere != is_fixed(i) || !(is_everywhere || is_own(i) || is_copy(i))) return false;
+    }
+    return std::is_sorted(keys_.begin(), keys_.end()) && slot_of_first_ < std::int64_t(slots) &&
+           is_nonnegative(common_.typical_radius);
+  }
 
   /// Pairs of rings 0 and 1 whose other block is not here: the copies do not reach far enough.
   std::int64_t lost_pairs() const { return lost_pairs_; }
@@ -153,7 +174,7 @@ class Share {
   Common common_;
   std::int32_t slot_of_first_ = -1;  // of the free blocks of all; -1: it is not here
   std::int64_t lost_pairs_ = 0;
-  bool needs_assembly_ = false;
+  std::int32_t needs_assembly_ = 0;
   ShareStage stage_ = ShareStage::ready;
 };
 

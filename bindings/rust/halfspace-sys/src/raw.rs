@@ -1348,8 +1348,10 @@ pub struct hs_share_info {
     /// all shares the largest counts. Twice as far as a pair of the next list. Call after
     /// hs_world_plan_motion()
     pub halo: f64,
+    /// blocks of the whole world: own ones of all shares, and those that are everywhere
+    pub whole_count: i64,
 }
-const _: () = assert!(std::mem::size_of::<hs_share_info>() == 48);
+const _: () = assert!(std::mem::size_of::<hs_share_info>() == 56);
 
 /// The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
 /// first two, and the minimum of `refusal`.
@@ -2150,12 +2152,13 @@ extern "C" {
 
     /// Saves a snapshot of the complete state. A restored world continues bit for bit.
     ///
-    /// - `world`: not NULL
+    /// - `world`: not NULL; a share between two steps
     /// - `bytes`: receives it; may be NULL if capacity is 0
     /// - `capacity`: in bytes
     /// - `count`: receives the size of the snapshot in bytes; not NULL
     ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written) or HS_ERROR_ARGUMENT
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share
+    /// within a step)
     pub fn hs_world_save(
         world: *const hs_world,
         bytes: *mut c_void,
@@ -3254,12 +3257,13 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_get_sums(world: *const hs_world, sums: *mut f64) -> hs_status;
 
-    /// Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    /// Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    /// losses; to zeros in a share without own blocks.
     ///
-    /// - `world`: a whole world
+    /// - `world`: a share or a whole world
     /// - `sums`: HS_SUM_COUNT values, finite
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share)
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_sums(world: *mut hs_world, sums: *const f64) -> hs_status;
 
     /// Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and

@@ -918,6 +918,8 @@ pub struct ShareInfo {
     /// all shares the largest counts. Twice as far as a pair of the next list. Call after
     /// hs_world_plan_motion()
     pub halo: f64,
+    /// blocks of the whole world: own ones of all shares, and those that are everywhere
+    pub whole_count: usize,
 }
 
 impl From<sys::hs_share_info> for ShareInfo {
@@ -930,6 +932,7 @@ impl From<sys::hs_share_info> for ShareInfo {
             load_length: raw.load_length as usize,
             is_whole: raw.is_whole != 0,
             halo: raw.halo,
+            whole_count: raw.whole_count as usize,
         }
     }
 }

@@ -184,7 +184,7 @@ impl World {
         sums
     }
 
-    /// Sets them: in a joined world to the sums over all shares, whose losses it continues.
+    /// Sets them: to the sums over the shares whose blocks the world has taken over.
     pub fn set_sums(&mut self, sums: &Sums) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably, and the array is as long as the library's.
         self.check(unsafe { sys::hs_world_set_sums(self.handle(), sums.as_ptr()) })
