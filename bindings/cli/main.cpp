@@ -10,6 +10,7 @@
 
 #include "commands/commands.h"
 #include "commands/limit.h"
+#include "commands/shares.h"
 #include "commands/sweep.h"
 #include "common/suggestion.h"
 
@@ -218,6 +219,23 @@ int main_of(int argc, char** argv) {
   limit_command->add_flag("--smallest", limit_arguments.search.smallest,
                           "Find the smallest value instead: the scene falls below it");
 
+  std::int64_t share_count = 0;
+  CLI::App* split_command = app.add_subcommand(
+      "split", "Cut a scene, or a snapshot *.hsw, into shares, which hosts spread over processes");
+  add_scene(split_command, "The scene file (TOML), or the snapshot");
+  split_command->add_option("count", share_count, "Number of shares")
+      ->required()
+      ->check(CLI::Range(std::int64_t(1), std::int64_t(1) << 24));
+  split_command
+      ->add_option("directory", target.directory,
+                   "Directory for the shares, share_0.hsw and so on; made if missing")
+      ->required();
+  split_command->add_flag("--force", force, "Replace earlier shares in the directory");
+  std::string shares_directory, joined_file;
+  CLI::App* join_command = app.add_subcommand("join", "Join the shares in a directory to one snapshot");
+  join_command->add_option("directory", shares_directory, "The directory of the shares")->required();
+  join_command->add_option("file", joined_file, "The snapshot to write, *.hsw")->required();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -238,6 +256,8 @@ int main_of(int argc, char** argv) {
     if (limit_command->parsed()) return limit(file, target, limit_arguments);
     if (safety_command->parsed()) return safety(file, target, safety_options, safety_result);
     if (trade_command->parsed()) return trade(file, target, trade_options);
+    if (split_command->parsed()) return split(file, share_count, target);
+    if (join_command->parsed()) return join(shares_directory, joined_file);
     if (view_command->parsed()) return view(viewed, view_file);
     if (check_command->parsed()) return check(file);
     const int code = run(file, target, run_options, from, run_result);

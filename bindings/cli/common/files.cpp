@@ -50,6 +50,7 @@ void remove_earlier_run(const fs::path& path) {
   remove_numbered(path, "at_", "s.svg");
   remove_numbered(path, "stage_", ".svg");
   remove_numbered(path, "stage_", ".checkpoint");
+  remove_numbered(path, "share_", ".hsw");
   remove_numbered(frames, "frame_", ".vtp");
   remove_numbered(frames, "contacts_", ".vtp");
   remove_numbered(frames, "bolts_", ".vtp");
@@ -91,6 +92,8 @@ std::string terrain_name(int number) { return numbered("frames/terrain_", number
 std::string stage_checkpoint_name(std::size_t stage) {
   return "stage_" + std::to_string(stage) + ".checkpoint";
 }
+
+std::string share_name(std::size_t number) { return "share_" + std::to_string(number) + ".hsw"; }
 
 OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
     : path_(std::move(path)), replaces_(earlier == Earlier::replace) {

@@ -19,6 +19,9 @@ std::string terrain_name(int number);
 /// The name of the checkpoint at the end of a stage.
 std::string stage_checkpoint_name(std::size_t stage);
 
+/// The name of a share among those of a world.
+std::string share_name(std::size_t number);
+
 /// Handling of the files of an earlier run.
 enum class Earlier { refuse, replace, keep };
 
