@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <climits>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "atom.h"
 #include "comm.h"
@@ -38,9 +40,10 @@ void add_fix_style(LAMMPS_NS::LAMMPS& lammps) { (*lammps.modify->fix_map)["halfs
 
 FixHalfspace::FixHalfspace(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) : Fix(lammps, narg, arg) {
   if (narg != 4 && !(narg == 6 && std::string(arg[4]) == "save"))
-    error->all(FLERR, std::string("Illegal fix halfspace command: fix ID all halfspace FILE [save FILE]"));
+    error->all(FLERR, std::string("Illegal fix halfspace command: fix ID all halfspace START [save END]"));
   if (igroup != 0) error->all(FLERR, std::string("fix halfspace moves all atoms; its group is ") + arg[1]);
   if (narg == 6) save_name_ = arg[5];
+  if (!save_name_.empty() && !is_snapshot(save_name_)) std::filesystem::create_directories(save_name_);
   time_integrate = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
@@ -55,9 +58,7 @@ FixHalfspace::FixHalfspace(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) : Fi
   comm_forward = chunk_length;
   maxexchange_dynamic = 1;
 
-  const Bytes snapshot = broadcast_file(arg[3], world);
-  if (snapshot.empty()) error->all(FLERR, std::string("fix halfspace: cannot read ") + arg[3]);
-  share_ = std::make_unique<Share>(lammps, snapshot);
+  share_ = std::make_unique<Share>(lammps, std::string(arg[3]));
   if (atom->natoms == 0) create_atoms();
   grow_arrays(atom->nmax);
   atom->add_callback(LAMMPS_NS::Atom::GROW);
@@ -75,22 +76,26 @@ int FixHalfspace::setmask() {
 
 /// Each process creates those in its part of the box.
 void FixHalfspace::create_atoms() {
-  const Keys keys = share_->keys_with(HS_ROLE_OWN);
-  const std::vector<hs_pose> poses = share_->poses();
+  std::vector<PlacedRecord> blocks = share_->dealt();
   std::vector<tagint> tags;
+  tags.reserve(blocks.size() + 1);  // without ids, LAMMPS would choose some
   std::vector<double> positions;
-  for (const std::int64_t key : keys) {
-    tags.push_back(tag_of(key));
-    const double* x = poses[share_->place_of(tags.back())].position;
-    positions.insert(positions.end(), x, x + 3);
+  for (const PlacedRecord& block : blocks) {
+    tags.push_back(block.tag);
+    positions.insert(positions.end(), block.position.begin(), block.position.end());
   }
   const std::vector<int> types(tags.size(), 1);
   constexpr int expand_shrunk_box = 1;
   lammps_create_atoms(lmp, int(tags.size()), tags.data(), types.data(), positions.data(), nullptr, nullptr,
                       expand_shrunk_box);
-  if (atom->natoms != LAMMPS_NS::bigint(tags.size()))
-    error->all(FLERR, "fix halfspace: of " + std::to_string(tags.size()) + " blocks " +
+  const hs_share_info info = share_->info();
+  const std::int64_t free_count = info.whole_count - info.everywhere_count;
+  if (atom->natoms != free_count)
+    error->all(FLERR, "fix halfspace: of " + std::to_string(free_count) + " blocks " +
                           std::to_string(atom->natoms) + " are in the box");
+  const std::set<tagint> here(atom->tag, atom->tag + atom->nlocal);
+  for (PlacedRecord& block : blocks)
+    if (here.count(block.tag) > 0) share_->record_of(block.tag) = std::move(block.record);
 }
 
 void FixHalfspace::init() {
@@ -294,13 +299,17 @@ double FixHalfspace::compute_vector(int k) {
   return share_->is_divided() ? sum : energies[k];
 }
 
+void FixHalfspace::write(const std::string& name, const Bytes& snapshot) const {
+  std::ofstream file(name, std::ios::binary);
+  if (!file.write(snapshot.data(), std::streamsize(snapshot.size())).flush())
+    error->one(FLERR, "fix halfspace: cannot write " + name);
+}
+
 void FixHalfspace::post_run() {
   if (save_name_.empty()) return;
+  if (!is_snapshot(save_name_)) return write(share_name(save_name_, comm->me), share_->saved());
   const Bytes snapshot = share_->joined();
-  if (comm->me != 0) return;
-  std::ofstream file(save_name_, std::ios::binary);
-  if (!file.write(snapshot.data(), std::streamsize(snapshot.size())).flush())
-    error->one(FLERR, "fix halfspace: cannot write " + save_name_);
+  if (comm->me == 0) write(save_name_, snapshot);
 }
 
 /// The whole world.

@@ -11,7 +11,7 @@
 
 namespace halfspace_lammps {
 
-/// `fix ID all halfspace FILE [save FILE]`: moves the blocks of a world, which are atoms, with the bits of
+/// `fix ID all halfspace START [save END]`: moves the blocks of a world, which are atoms, with the bits of
 /// hs_world_step().
 ///
 /// LAMMPS decides which process owns an atom and has copies of it. In the steps whose plan needs it, atoms
@@ -49,6 +49,7 @@ class FixHalfspace : public LAMMPS_NS::Fix {
   void carry_loads();
   void write_loads();
   void write_atoms();
+  void write(const std::string& name, const Bytes& snapshot) const;
 
   std::unique_ptr<Share> share_;
   std::string save_name_;

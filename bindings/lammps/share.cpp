@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 
 #include "error.h"
@@ -38,10 +36,13 @@ std::vector<T> gathered(const std::vector<T>& own, MPI_Comm world) {
 
 }  // namespace
 
-Share::Share(LAMMPS_NS::LAMMPS* lammps, const Bytes& snapshot) : Pointers(lammps) {
+Share::Share(LAMMPS_NS::LAMMPS* lammps) : Pointers(lammps) {
   if (hs_context_create(nullptr, &context_) != HS_OK)
     error->one(FLERR, std::string("fix halfspace: no memory"));
-  check(hs_world_restore(context_, snapshot.data(), snapshot.size(), &world_));
+}
+
+Share::Share(LAMMPS_NS::LAMMPS* lammps, const Bytes& snapshot) : Share(lammps) {
+  world_ = restored(snapshot);
   look_at_blocks();
 }
 
@@ -116,34 +117,54 @@ hs_share_plan Share::with_new_list() {
 }
 
 double Share::halo() const {
-  double halo = info().halo;
+  double halo = std::max(info().halo, halo_of_start_);
   MPI_Allreduce(MPI_IN_PLACE, &halo, 1, MPI_DOUBLE, MPI_MAX, world);
   return halo;
 }
 
-Bytes Share::packed_own(const Keys& own, std::vector<std::size_t>& ends) const {
-  const std::int64_t count = std::int64_t(own.size());
-  ends.resize(own.size());
+hs_world* Share::restored(const Bytes& snapshot) const {
+  hs_world* world = nullptr;
+  check(hs_world_restore(context_, snapshot.data(), snapshot.size(), &world));
+  return world;
+}
+
+Bytes Share::saved(const hs_world* world) const {
   std::size_t size = 0;
+  (void)hs_world_save(world, nullptr, 0, &size);
+  Bytes snapshot(size);
+  check(hs_world_save(world, snapshot.data(), size, &size));
+  return snapshot;
+}
+
+void Share::broadcast(Bytes& bytes) const {
+  std::int64_t size = std::int64_t(bytes.size());
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, world);
+  bytes.resize(std::size_t(size));
+  MPI_Bcast(bytes.data(), int(size), MPI_BYTE, 0, world);
+}
+
+std::vector<Record> Share::packed_own(const Keys& own) const {
+  const std::int64_t count = std::int64_t(own.size());
+  std::vector<std::size_t> ends(own.size());
+  std::size_t size = 0, begin = 0;
   (void)hs_world_pack(world_, own.data(), count, 1, nullptr, 0, nullptr, &size);
   Bytes bytes(size);
   check(hs_world_pack(world_, own.data(), count, 1, bytes.data(), size, ends.data(), &size));
-  return bytes;
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < own.size(); begin = ends[i++]) {
+    const std::size_t length = ends[i] - begin;
+    records.emplace_back(1 + (length + sizeof(double) - 1) / sizeof(double));
+    records.back()[0] = double(length);
+    std::memcpy(records.back().data() + 1, bytes.data() + begin, length);
+  }
+  return records;
 }
 
 std::size_t Share::pack() {
   if (is_divided_ && records_.empty()) {
     const Keys own = keys_with(HS_ROLE_OWN);
-    std::vector<std::size_t> ends;
-    const Bytes bytes = packed_own(own, ends);
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < own.size(); begin = ends[i++]) {
-      const std::size_t length = ends[i] - begin;
-      Record record(1 + (length + sizeof(double) - 1) / sizeof(double));
-      record[0] = double(length);
-      std::memcpy(record.data() + 1, bytes.data() + begin, length);
-      records_.emplace(tag_of(own[i]), std::move(record));
-    }
+    std::vector<Record> records = packed_own(own);
+    for (std::size_t i = 0; i < own.size(); ++i) records_.emplace(tag_of(own[i]), std::move(records[i]));
   }
   std::uint64_t longest = 0;
   for (const auto& [tag, record] : records_) longest = std::max<std::uint64_t>(longest, record.size());
@@ -184,51 +205,42 @@ void Share::assemble(const Keys& own, const Keys& copies) {
   hs_world_destroy(world_);
   world_ = next;
   is_divided_ = true;
+  halo_of_start_ = 0;
   records_.clear();
   look_at_blocks();
 }
 
 Bytes Share::joined() const {
-  const bool is_first = rank_in(world) == 0;
-  hs_world* whole = world_;
-  if (is_divided_) {
-    const Keys own = keys_with(HS_ROLE_OWN);
-    std::vector<std::size_t> ends;
-    const Bytes bytes = packed_own(own, ends);
-    for (std::size_t i = ends.size(); i-- > 1;) ends[i] -= ends[i - 1];  // lengths
-    const Keys keys = gathered(own, world);
-    const std::vector<std::size_t> lengths = gathered(ends, world);
-    const Bytes records = gathered(bytes, world);
-    double sums[HS_SUM_COUNT], all[HS_SUM_COUNT];
-    check(hs_world_get_sums(world_, sums));
-    MPI_Reduce(sums, all, HS_SUM_COUNT, MPI_DOUBLE, MPI_SUM, 0, world);
-    if (!is_first) return {};
-    std::vector<hs_packed> blocks;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < keys.size(); begin += lengths[i++])
-      blocks.push_back({keys[i], records.data() + begin, lengths[i], HS_ROLE_OWN, 0});
-    whole = assembled(std::move(blocks));
-    check(hs_world_set_sums(whole, all));
+  if (!is_divided_) return saved();
+  // Each record is preceded by its tag. Before the first assembly they are those that were dealt.
+  std::vector<double> own;
+  const auto add = [&](tagint tag, const Record& record) {
+    own.push_back(double(tag));
+    own.insert(own.end(), record.begin(), record.end());
+  };
+  if (records_.empty()) {
+    const Keys keys = keys_with(HS_ROLE_OWN);
+    const std::vector<Record> records = packed_own(keys);
+    for (std::size_t i = 0; i < keys.size(); ++i) add(tag_of(keys[i]), records[i]);
+  } else {
+    for (const auto& [tag, record] : records_) add(tag, record);
   }
-  std::size_t size = 0;
-  (void)hs_world_save(whole, nullptr, 0, &size);
-  Bytes snapshot(size);
-  check(hs_world_save(whole, snapshot.data(), size, &size));
-  if (is_divided_) hs_world_destroy(whole);
+  const std::vector<double> all_records = gathered(own, world);
+  double sums[HS_SUM_COUNT], all[HS_SUM_COUNT];
+  check(hs_world_get_sums(world_, sums));
+  MPI_Reduce(sums, all, HS_SUM_COUNT, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (rank_in(world) != 0) return {};
+  std::vector<hs_packed> blocks;
+  for (std::size_t at = 0; at < all_records.size();) {
+    const std::size_t size = std::size_t(all_records[at + 1]);
+    blocks.push_back({key_of(tagint(all_records[at])), &all_records[at + 2], size, HS_ROLE_OWN, 0});
+    at += 2 + (size + sizeof(double) - 1) / sizeof(double);
+  }
+  hs_world* const whole = assembled(std::move(blocks));
+  check(hs_world_set_sums(whole, all));
+  const Bytes snapshot = saved(whole);
+  hs_world_destroy(whole);
   return snapshot;
-}
-
-Bytes broadcast_file(const std::string& name, MPI_Comm world) {
-  Bytes bytes;
-  if (rank_in(world) == 0) {
-    std::ifstream file(name, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  std::int64_t size = std::int64_t(bytes.size());
-  MPI_Bcast(&size, 1, MPI_INT64_T, 0, world);
-  bytes.resize(std::size_t(size));
-  MPI_Bcast(bytes.data(), int(size), MPI_BYTE, 0, world);
-  return bytes;
 }
 
 }  // namespace halfspace_lammps

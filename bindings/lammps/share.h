@@ -7,7 +7,9 @@
 
 #include <halfspace/halfspace.h>
 
+#include <array>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -22,6 +24,13 @@ using LAMMPS_NS::tagint;
 /// A block on its way to another process: the number of its bytes, then the bytes.
 using Record = std::vector<double>;
 
+/// A block that is not yet on the process in whose part of the box it is.
+struct PlacedRecord {
+  tagint tag;
+  std::array<double, 3> position;
+  Record record;
+};
+
 inline tagint tag_of(std::int64_t key) { return tagint(key + 1); }
 inline std::int64_t key_of(tagint tag) { return std::int64_t(tag) - 1; }
 
@@ -29,6 +38,8 @@ class Share : protected LAMMPS_NS::Pointers {
  public:
   /// The whole world, on each process, until it is divided.
   Share(LAMMPS_NS::LAMMPS* lammps, const Bytes& snapshot);
+  /// A share without own blocks, which are to be dealt. `start`: a snapshot *.hsw, or a directory of shares.
+  Share(LAMMPS_NS::LAMMPS* lammps, const std::string& start);
   ~Share() override;
   Share(const Share&) = delete;
   Share& operator=(const Share&) = delete;
@@ -45,6 +56,9 @@ class Share : protected LAMMPS_NS::Pointers {
   std::vector<hs_pose> poses() const;
   /// Ends the run with the text of the last error.
   void check(hs_status status) const;
+
+  /// The blocks of the start that are in this part of the box, or at its border. Call on all processes.
+  std::vector<PlacedRecord> dealt();
 
   /// The plan of all processes together. `is_stale`: this one has to be assembled.
   hs_share_plan planned(bool is_stale = false);
@@ -63,11 +77,21 @@ class Share : protected LAMMPS_NS::Pointers {
 
   /// A snapshot of the whole world, on the first process.
   Bytes joined() const;
+  /// A snapshot of this share.
+  Bytes saved() const { return saved(world_); }
 
  private:
+  explicit Share(LAMMPS_NS::LAMMPS* lammps);
+  Bytes read(const std::string& name) const;
+  Bytes settings() const;
+  void add_to_start(double sums[]);
+  void require_all() const;
+  std::vector<int> processes_at(const std::array<double, 3>& place) const;
+  void broadcast(Bytes& bytes) const;
   static hs_share_plan combined(const hs_share_plan& own, MPI_Comm world);
-  /// The records of own blocks, one after the other, and where each ends.
-  Bytes packed_own(const Keys& own, std::vector<std::size_t>& ends) const;
+  std::vector<Record> packed_own(const Keys& own) const;
+  hs_world* restored(const Bytes& snapshot) const;
+  Bytes saved(const hs_world* world) const;
   hs_world* assembled(std::vector<hs_packed> blocks) const;
   void look_at_blocks();
 
@@ -76,10 +100,14 @@ class Share : protected LAMMPS_NS::Pointers {
   bool is_divided_ = false;
   Keys keys_;
   std::vector<std::int32_t> roles_;
-  std::unordered_map<tagint, Record> records_;
+  std::unordered_map<tagint, Record> records_;  // packed for the next assembly
+  std::vector<PlacedRecord> start_;
+  double halo_of_start_ = 0;  // until the first assembly
+  Bytes settings_;
 };
 
-/// The bytes of a file, which the first process reads, on all processes.
-Bytes broadcast_file(const std::string& name, MPI_Comm world);
+bool is_snapshot(const std::string& name);
+/// The file of a share among those of a directory.
+std::string share_name(const std::string& directory, int number);
 
 }  // namespace halfspace_lammps

@@ -61,6 +61,23 @@ inline void run_on(int processes, const std::string& program, const Folder& fold
   REQUIRE(ended.is_success);
 }
 
+/// Runs the command `halfspace`.
+inline void run_command(const std::string& arguments) {
+  INFO("halfspace " << arguments);
+  REQUIRE(std::system((HALFSPACE_COMMAND " " + arguments + " > /dev/null").c_str()) == 0);
+}
+
+/// Cuts a snapshot into shares, and joins others.
+inline void split(const Snapshot& start, int shares, const Folder& folder, const std::string& directory) {
+  write_file(folder.file("whole.hsw"), start);
+  run_command("split " + folder.file("whole.hsw") + " " + std::to_string(shares) + " " +
+              folder.file(directory));
+}
+inline Snapshot joined(const Folder& folder, const std::string& directory) {
+  run_command("join " + folder.file(directory) + " " + folder.file("joined.hsw"));
+  return read_file(folder.file("joined.hsw"));
+}
+
 /// The snapshot at the end of a run of the example for MPI.
 inline Snapshot run_shares(const Snapshot& start, int processes, std::int64_t steps) {
   const Folder folder("halfspace_shares_mpi");

@@ -19,8 +19,8 @@ class LammpsRun {
            "\nnewton off\ncomm_style tiled\nregion box block -40 40 -40 40 " +
            (is_plane_ ? "-0.5 0.5" : "-40 40") + "\ncreate_box 1 box\nmass 1 1\n";
   }
-  std::string fix() const {
-    return "fix blocks all halfspace " + folder_.file("start.hsw") + " save " + folder_.file("end.hsw") +
+  std::string fix(const std::string& start = "start.hsw", const std::string& end = "end.hsw") const {
+    return "fix blocks all halfspace " + folder_.file(start) + " save " + folder_.file(end) +
            "\nfix even all balance 500 1.0 rcb\nthermo 500\n";
   }
   std::string file(const std::string& name) const { return folder_.file(name); }
@@ -32,6 +32,7 @@ class LammpsRun {
     CHECK_FALSE(ended.is_success);
     return ended.output;
   }
+  const Folder& folder() const { return folder_; }
   Snapshot end() const { return read_file(folder_.file("end.hsw")); }
 
  private:

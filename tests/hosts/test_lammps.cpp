@@ -15,6 +15,30 @@ TEST_CASE("LAMMPS keeps the bits", "[hosts]") {
   check_end(start, 2000, lammps.end());
 }
 
+TEST_CASE("LAMMPS reads shares and writes them", "[hosts]") {
+  const bool is_plane = GENERATE(true, false);
+  const int processes = GENERATE(1, 2, 3);
+  INFO((is_plane ? "plane" : "space") << ", " << processes << " processes");
+  const Snapshot start = is_plane ? heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID)
+                                  : heap_in_space(laws_of_stiffness[2], HS_BLOCK_AFFINE);
+  const LammpsRun lammps(start, is_plane);
+  split(start, 3, lammps.folder(), "start");
+  lammps.run(processes, lammps.box() + lammps.fix("start", "middle") + "run 1000\n");
+  lammps.run(2, lammps.box() + lammps.fix("middle") + "run 500\n");
+  check_end(start, 1000, joined(lammps.folder(), "middle"));
+  check_end(start, 1500, lammps.end());
+}
+
+TEST_CASE("LAMMPS writes a restart file before its first step", "[hosts]") {
+  const Snapshot start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID);
+  const LammpsRun lammps(start, true);
+  split(start, 2, lammps.folder(), "start");
+  lammps.run(3, lammps.box() + lammps.fix("start") + "write_restart " + lammps.file("restart") + "\n");
+  lammps.run(2, "newton off\ncomm_style tiled\nread_restart " + lammps.file("restart") + "\n" +
+                    lammps.fix("start") + "run 1000\n");
+  check_end(start, 1000, lammps.end());
+}
+
 TEST_CASE("energies of LAMMPS add up to those of the whole world", "[hosts]") {
   const Snapshot start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_AFFINE);
   const LammpsRun lammps(start, true);
@@ -50,7 +74,9 @@ TEST_CASE("fix halfspace refuses worlds, files and boxes that it cannot move", "
   const LammpsRun plane(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID), true);
   const std::string fix = "fix blocks all halfspace ", start = plane.file("start.hsw"), run = "\nrun 1\n";
   has(plane.error(plane.box() + fix + plane.file("none.hsw") + run), "cannot read " + plane.file("none.hsw"));
-  has(plane.error(plane.box() + fix + plane.file("script") + run), "hs_world_restore");
+  write_file(plane.file("damaged.hsw"), Snapshot(100));
+  has(plane.error(plane.box() + fix + plane.file("damaged.hsw") + run), "hs_world_restore");
+  has(plane.error(plane.box() + fix + plane.file("script") + run), "cannot read " + plane.file("script"));
   has(plane.error(plane.box() + fix + start + " keep" + run), "Illegal fix halfspace command");
   has(plane.error(plane.box() + "group some empty\nfix blocks some halfspace " + start + run),
       "its group is some");

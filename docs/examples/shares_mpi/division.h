@@ -1,6 +1,7 @@
 // The blocks of a world divided among processes, by recursive bisection of Zoltan.
 #pragma once
 
+#include <halfspace/world.h>
 #include <zoltan.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@ struct Place {
   std::int64_t key;
   double position[3];
   float weight;
+  hs_world *source;  // which has the block as its own
 };
 
 /// Recursive bisection by Zoltan: which rank owns a block, and which ranks own blocks near it.

@@ -28,6 +28,14 @@ inline std::size_t rank_count() {
   return std::size_t(count);
 }
 
+/// The bytes of rank 0 on all ranks.
+inline void broadcast(std::vector<char> &bytes) {
+  std::int64_t size = std::int64_t(bytes.size());
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  bytes.resize(std::size_t(size));
+  MPI_Bcast(bytes.data(), int(size), MPI_BYTE, 0, MPI_COMM_WORLD);
+}
+
 /// Sends a list to each rank, and receives one from each, of a length that both know.
 template <class T>
 void exchange(const std::vector<std::vector<T>> &sent, std::vector<std::vector<T>> &received) {

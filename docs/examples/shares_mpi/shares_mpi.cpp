@@ -1,18 +1,18 @@
 // Steps a world on many processes, with the bits of one: `mpirun -np 4 shares_mpi start.hsw 10000 end.hsw`.
+// Instead of a snapshot, START and END may be directories of shares, of which each process reads and writes
+// its own: `halfspace split start.hsw 4 start`, `halfspace join end end.hsw`.
 // Zoltan divides the blocks, MPI carries records and loads. See docs/concepts/shares.md.
 
 #include <halfspace/halfspace.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "division.h"
+#include "files.h"
 #include "messages.h"
 
 namespace {
 
-using Bytes = std::vector<char>;
 using Keys = std::vector<std::int64_t>;
 
 /// Before the bytes of a block, in a message.
@@ -26,10 +26,14 @@ struct Header {
 /// The share of this rank. All ranks make the same calls.
 class Share {
  public:
-  explicit Share(const Bytes &snapshot) : copies_here_(rank_count()), copies_there_(rank_count()) {
+  explicit Share(const char *start) : copies_here_(rank_count()), copies_there_(rank_count()) {
     if (hs_context_create(nullptr, &context_) != HS_OK) fail("no memory");
-    check(hs_world_restore(context_, snapshot.data(), snapshot.size(), &world_));
-    assemble();
+    std::vector<hs_world *> sources;
+    for (const std::string &name : files_of_rank(start)) sources.push_back(restored(read(name)));
+    take_settings(sources);
+    assemble(sources);
+    for (hs_world *source : sources) hs_world_destroy(source);
+    require_all();
     check(hs_world_begin(world_));
     carry_loads();
     check(hs_world_end_begin(world_));
@@ -44,7 +48,7 @@ class Share {
   void step() {
     hs_share_plan plan = planned();
     if (plan.needs_list || plan.needs_assembly) {
-      assemble();
+      assemble({world_});
       const bool needed_list = plan.needs_list;
       plan = planned();
       if (needed_list || plan.needs_list) {
@@ -64,23 +68,69 @@ class Share {
     check(hs_world_get_sums(world_, own));
     MPI_Reduce(own, all, HS_SUM_COUNT, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
     std::vector<Bytes> sent(rank_count());
-    for (const std::int64_t key : keys_with(HS_ROLE_OWN))
-      append(sent[0], key, HS_ROLE_OWN, 0, rank() != 0, true);
+    for (const std::int64_t key : keys_with(HS_ROLE_OWN, world_))
+      append(sent[0], world_, key, HS_ROLE_OWN, 0, rank() != 0, true);
     const std::vector<Bytes> received = exchanged(sent);
     if (rank() != 0) return {};
     hs_world *whole = assembled(received);
     check(hs_world_set_sums(whole, all));
-    std::size_t size = 0;
-    if (hs_world_save(whole, nullptr, 0, &size) < 0) fail(hs_context_last_error(context_));
-    Bytes bytes(size);
-    check(hs_world_save(whole, bytes.data(), size, &size));
+    const Bytes bytes = saved(whole);
     hs_world_destroy(whole);
     return bytes;
   }
+  /// A snapshot of this share.
+  Bytes saved() const { return saved(world_); }
 
  private:
   void check(hs_status status) const {
     if (status != HS_OK) fail(hs_context_last_error(context_));
+  }
+
+  hs_world *restored(const Bytes &snapshot) const {
+    hs_world *world = nullptr;
+    check(hs_world_restore(context_, snapshot.data(), snapshot.size(), &world));
+    return world;
+  }
+  Bytes saved(const hs_world *world) const {
+    std::size_t size = 0;
+    if (hs_world_save(world, nullptr, 0, &size) < 0) fail(hs_context_last_error(context_));
+    Bytes bytes(size);
+    check(hs_world_save(world, bytes.data(), size, &size));
+    return bytes;
+  }
+  hs_share_info info_of(hs_world *world) const {
+    hs_share_info info;
+    check(hs_world_get_share_info(world, &info, sizeof info));
+    return info;
+  }
+
+  /// Begins with a share of what is everywhere, alike on all ranks, and with the losses of the sources here.
+  void take_settings(const std::vector<hs_world *> &sources) {
+    Bytes settings;
+    if (rank() == 0) {
+      world_ = sources.front();
+      hs_world *const empty = assembled({});
+      settings = saved(empty);
+      hs_world_destroy(empty);
+    }
+    broadcast(settings);
+    world_ = restored(settings);
+    double own[HS_SUM_COUNT], sums[HS_SUM_COUNT] = {};
+    for (const hs_world *source : sources) {
+      check(hs_world_get_sums(source, own));
+      for (int i = 0; i < HS_SUM_COUNT; ++i) sums[i] += own[i];
+    }
+    check(hs_world_set_sums(world_, sums));
+  }
+
+  /// Are all blocks of the world here?
+  void require_all() const {
+    const hs_share_info info = info_of(world_);
+    std::int64_t own = info.own_count;
+    MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    if (own + info.everywhere_count != info.whole_count)
+      fail("the shares hold " + std::to_string(own + info.everywhere_count) + " of " +
+           std::to_string(info.whole_count) + " blocks");
   }
 
   static hs_share_plan combined(const hs_share_plan &own) {
@@ -97,16 +147,17 @@ class Share {
 
   /// A value per block, in the order of hs_world_get_blocks().
   template <class T>
-  std::vector<T> all(hs_status (*get)(const hs_world *, T[], std::int64_t, std::int64_t *)) const {
+  std::vector<T> all(const hs_world *world,
+                     hs_status (*get)(const hs_world *, T[], std::int64_t, std::int64_t *)) const {
     std::int64_t count = 0;
-    (void)get(world_, nullptr, 0, &count);
+    (void)get(world, nullptr, 0, &count);
     std::vector<T> values(static_cast<std::size_t>(count));
-    check(get(world_, values.data(), count, &count));
+    check(get(world, values.data(), count, &count));
     return values;
   }
-  Keys keys_with(std::int32_t role) const {
-    const std::vector<std::int32_t> roles = all(hs_world_get_roles);
-    Keys keys = all(hs_world_get_keys);
+  Keys keys_with(std::int32_t role, const hs_world *world) const {
+    const std::vector<std::int32_t> roles = all(world, hs_world_get_roles);
+    Keys keys = all(world, hs_world_get_keys);
     std::size_t found = 0;
     for (std::size_t i = 0; i < keys.size(); ++i)
       if (roles[i] == role) keys[found++] = keys[i];
@@ -114,35 +165,32 @@ class Share {
     return keys;
   }
 
-  /// Own blocks. A block weighs as much as its record, which grows with its pairs.
-  std::vector<Place> own_places() {
-    std::vector<Place> places;
-    if (!is_divided_ && rank() != 0) return places;  // rank 0 has read the file
-    const std::vector<std::int32_t> roles = all(hs_world_get_roles);
-    const std::vector<hs_pose> poses = all(hs_world_get_poses);
-    const Keys keys = keys_with(HS_ROLE_OWN);
+  /// Adds own blocks of a world. A block weighs as much as its record, which grows with its pairs.
+  void add_places(hs_world *source, std::vector<Place> &places) const {
+    const std::vector<std::int32_t> roles = all(source, hs_world_get_roles);
+    const std::vector<hs_pose> poses = all(source, hs_world_get_poses);
+    const Keys keys = keys_with(HS_ROLE_OWN, source);
     std::vector<std::size_t> ends(keys.size());
-    std::size_t size = 0;
-    (void)hs_world_pack(world_, keys.data(), std::int64_t(keys.size()), 0, nullptr, 0, ends.data(), &size);
+    std::size_t size = 0, k = 0;
+    (void)hs_world_pack(source, keys.data(), std::int64_t(keys.size()), 0, nullptr, 0, ends.data(), &size);
     for (std::size_t i = 0; i < roles.size(); ++i) {
       if (roles[i] != HS_ROLE_OWN) continue;
       const double *x = poses[i].position;
-      const std::size_t k = places.size();
-      places.push_back({keys[k], {x[0], x[1], x[2]}, float(ends[k] - (k > 0 ? ends[k - 1] : 0))});
+      places.push_back({keys[k], {x[0], x[1], x[2]}, float(ends[k] - (k > 0 ? ends[k - 1] : 0)), source});
+      ++k;
     }
-    return places;
   }
 
   /// Adds a block to a message.
-  void append(Bytes &message, std::int64_t key, std::int32_t role, int owner, bool with_record,
-              bool with_shape) {
+  void append(Bytes &message, hs_world *source, std::int64_t key, std::int32_t role, int owner,
+              bool with_record, bool with_shape) {
     std::size_t size = 0;
     if (with_record) {
       hs_status status =
-          hs_world_pack(world_, &key, 1, with_shape, record_.data(), record_.size(), nullptr, &size);
+          hs_world_pack(source, &key, 1, with_shape, record_.data(), record_.size(), nullptr, &size);
       if (status == HS_NOTE_TRUNCATED) {
         record_.resize(size);
-        status = hs_world_pack(world_, &key, 1, with_shape, record_.data(), size, nullptr, &size);
+        status = hs_world_pack(source, &key, 1, with_shape, record_.data(), size, nullptr, &size);
       }
       check(status);
     }
@@ -155,7 +203,7 @@ class Share {
   /// A world of the blocks in the messages, and of what is everywhere.
   hs_world *assembled(const std::vector<Bytes> &messages) {
     std::vector<hs_packed> blocks;
-    for (const std::int64_t key : keys_with(HS_ROLE_EVERYWHERE))
+    for (const std::int64_t key : keys_with(HS_ROLE_EVERYWHERE, world_))
       blocks.push_back({key, nullptr, 0, HS_ROLE_EVERYWHERE, 0});
     for (Keys &keys : copies_here_) keys.clear();
     for (const Bytes &message : messages) {
@@ -176,29 +224,32 @@ class Share {
     return made;
   }
 
-  /// Divides the blocks anew.
-  void assemble() {
-    hs_share_info info;
-    check(hs_world_get_share_info(world_, &info, sizeof info));
-    load_length_ = std::size_t(info.load_length);
-    MPI_Allreduce(MPI_IN_PLACE, &info.halo, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-    const std::vector<Place> places = own_places();
+  /// Divides the own blocks of these worlds anew.
+  void assemble(const std::vector<hs_world *> &sources) {
+    double halo = 0;
+    std::vector<Place> places;
+    for (hs_world *source : sources) {
+      halo = std::max(halo, info_of(source).halo);
+      add_places(source, places);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &halo, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     const std::vector<int> owners = division_.divide(places);
     std::vector<Bytes> sent(rank_count());
-    const auto send = [&](int to, std::int64_t key, std::int32_t role, int owner) {
+    const auto send = [&](int to, const Place &place, std::int32_t role, int owner) {
       const Keys &known = copies_there_[std::size_t(to)];
-      const bool has_shape = !is_divided_ || std::binary_search(known.begin(), known.end(), key);
-      append(sent[std::size_t(to)], key, role, owner, to != rank(), !has_shape);
+      const bool has_shape = std::binary_search(known.begin(), known.end(), place.key);
+      const bool is_here = to == rank() && place.source == world_;
+      append(sent[std::size_t(to)], place.source, place.key, role, owner, !is_here, !has_shape);
     };
     for (std::size_t i = 0; i < places.size(); ++i) {
-      send(owners[i], places[i].key, HS_ROLE_OWN, owners[i]);
-      for (const int near : division_.ranks_near(places[i], info.halo))
-        if (near != owners[i]) send(near, places[i].key, HS_ROLE_NEIGHBOR, owners[i]);
+      send(owners[i], places[i], HS_ROLE_OWN, owners[i]);
+      for (const int near : division_.ranks_near(places[i], halo))
+        if (near != owners[i]) send(near, places[i], HS_ROLE_NEIGHBOR, owners[i]);
     }
     hs_world *const next = assembled(exchanged(sent));
     hs_world_destroy(world_);
     world_ = next;
-    is_divided_ = true;
+    load_length_ = std::size_t(info_of(world_).load_length);
     copies_there_ = exchanged(copies_here_);
   }
 
@@ -219,7 +270,6 @@ class Share {
 
   hs_context *context_ = nullptr;
   hs_world *world_ = nullptr;
-  bool is_divided_ = false;  // before, each rank has the whole world
   Division division_;
   std::vector<Keys> copies_here_;   // per rank that owns them
   std::vector<Keys> copies_there_;  // per rank that has them: own blocks
@@ -227,28 +277,13 @@ class Share {
   Bytes record_;
 };
 
-/// The bytes of a file, which rank 0 reads, on all ranks.
-Bytes broadcast_file(const char *name) {
-  Bytes bytes;
-  if (rank() == 0) {
-    std::ifstream file(name, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(file), {});
-    if (bytes.empty()) fail(std::string("cannot read ") + name);
-  }
-  std::int64_t size = std::int64_t(bytes.size());
-  MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
-  bytes.resize(std::size_t(size));
-  MPI_Bcast(bytes.data(), int(size), MPI_BYTE, 0, MPI_COMM_WORLD);
-  return bytes;
-}
-
-void run(const char *from, std::int64_t steps, const char *to) {
-  Share share(broadcast_file(from));
+void run(const char *from, std::int64_t steps, const std::string &to) {
+  if (!is_snapshot(to)) make_directory(to);
+  Share share(from);
   for (std::int64_t i = 0; i < steps; ++i) share.step();
+  if (!is_snapshot(to)) return write(share_name(to, rank()), share.saved());
   const Bytes end = share.joined();
-  if (rank() == 0 &&
-      !std::ofstream(to, std::ios::binary).write(end.data(), std::streamsize(end.size())).flush())
-    fail(std::string("cannot write ") + to);
+  if (rank() == 0) write(to, end);
 }
 
 }  // namespace
@@ -257,7 +292,8 @@ int main(int argc, char **argv) {
   float version = 0;
   MPI_Init(&argc, &argv);
   Zoltan_Initialize(argc, argv, &version);
-  if (argc != 4) fail("call it as shares_mpi START.hsw STEPS END.hsw");
+  if (argc != 4)
+    fail("call it as shares_mpi START STEPS END; START and END are snapshots *.hsw or directories of shares");
   run(argv[1], std::atoll(argv[2]), argv[3]);
   MPI_Finalize();
 }
