@@ -144,8 +144,8 @@ class Recording:
         numbers = np.array([self._numbers[blocks[i]] for i in places], np.int64)
         rigid = np.array([not self._deforms[blocks[i]] for i in places], bool)
         poses = _whole_poses(world)[places]
-        moving = np.ascontiguousarray(poses[rigid])
-        self._call("set_poses", int(rigid.sum()), numbers[rigid].ctypes.data, moving.ctypes.data)
+        moving, of_moving = np.ascontiguousarray(poses[rigid]), numbers[rigid]
+        self._call("set_poses", len(of_moving), of_moving.ctypes.data, moving.ctypes.data)
         for i, number in zip(places, numbers):
             if self._deforms[blocks[i]]:
                 found = world.block_vertices(blocks[i])
