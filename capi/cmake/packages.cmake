@@ -69,6 +69,10 @@ if(HALFSPACE_BUILD_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/bindings/python/debian/postinst
     ${PROJECT_SOURCE_DIR}/bindings/python/debian/prerm)
 endif()
+if(HALFSPACE_BUILD_LAMMPS)
+  halfspace_package(lammps NAME halfspace-lammps SECTION science DEPENDS "${this_library}" SHARED_LIBRARIES
+    CONTENT "lmp_halfspace, which is LAMMPS with fix halfspace" COMPILED_IN lammps)
+endif()
 if(HALFSPACE_BUILD_DOCS)
   halfspace_package(documentation NAME libhalfspace-doc SECTION doc ANY_MACHINE CONTENT "the guide, examples and the reference")
 endif()
