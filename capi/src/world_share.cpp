@@ -14,7 +14,8 @@ using namespace halfspace::capi;
 
 namespace {
 
-static_assert(sizeof(EnergyLedger::Sums) == HS_SUM_COUNT * sizeof(double));
+constexpr std::size_t ledger_count = sizeof(EnergyLedger::Sums) / sizeof(double);
+static_assert(ledger_count + 6 == HS_SUM_COUNT);
 static_assert(int(ShareRole::own) == HS_ROLE_OWN && int(ShareRole::everywhere) == HS_ROLE_EVERYWHERE);
 
 /// Refuses what shares cannot hold.
@@ -26,7 +27,11 @@ void require_shareable(const World<D>& w) {
   if (!w.bonds().empty()) found = "bonds of bond.h";
   if (!w.blocks().compounds().empty()) found = "compounds";
   if (!model.bolts.empty()) found = "bolts";
-  if (!model.actions.empty()) found = "actions";
+  if (model.actions.any([&](const Action<D>& action) {
+        return action.kind == ActionKind::servo ||
+               (action.slot >= 0 && w.blocks().moves_freely(std::size_t(action.slot)));
+      }))
+    found = "servos or actions on free blocks";
   if (model.settings.sleep_tolerance > 0) found = "sleep";
   if (model.materials.laws().knows_no_spring()) found = "laws without springs";
   if (found) refuse(HS_ERROR_STATE, "the world has %s, which shares cannot hold", found);
@@ -44,16 +49,16 @@ std::int32_t load_length_of(const World<D>& w) {
   return (D == 2 ? 3 : 6) + (w.model().materials.any_elastic() ? D * D : 0);
 }
 
-/// The slot of a key whose block has a role for which `is_right` holds.
+/// The slot of a key whose block has a role for which `is_right` holds. `last`: the slot that was found last.
 template <int D, class IsRight>
 std::size_t slot_of_key(const World<D>& w, const std::int64_t keys[], std::int64_t i, const char* wanted,
-                        IsRight is_right) {
-  const std::int32_t slot = w.living_slot_of(keys[i]);
+                        IsRight is_right, std::size_t& last) {
+  const std::int32_t slot = w.living_slot_of(keys[i], last);
   if (slot < 0 || !is_right(role_of(w, std::size_t(slot)))) {
     refuse(HS_ERROR_STALE_ID, "keys[%lld] is %lld; no %s has that key", static_cast<long long>(i),
            static_cast<long long>(keys[i]), wanted);
   }
-  return std::size_t(slot);
+  return last = std::size_t(slot);
 }
 
 void require_piece(bool is_right, const char* wanted) {
@@ -201,9 +206,11 @@ hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, in
       refuse(HS_ERROR_ARGUMENT, "with_shapes is %d; it must be 0 or 1", with_shapes);
     BlockRecord<D> record(&world->context->memory);
     const auto for_each_record = [&](auto use) {
+      std::size_t last = 0;
       for (std::int64_t i = 0; i < count; ++i) {
-        w.record(slot_of_key(w, keys, i, "own block and none that is everywhere",
-                             [](ShareRole role) { return role != ShareRole::neighbor; }),
+        w.record(slot_of_key(
+                     w, keys, i, "own block and none that is everywhere",
+                     [](ShareRole role) { return role != ShareRole::neighbor; }, last),
                  with_shapes != 0, record);
         use(i);
       }
@@ -239,8 +246,10 @@ hs_status hs_world_assemble(hs_context* context, hs_world* from, const hs_packed
 hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(sums, "sums");
-    const auto ours = std::bit_cast<std::array<double, HS_SUM_COUNT>>(w.ledger_sums());
-    std::copy(ours.begin(), ours.end(), sums);
+    const auto ledger = std::bit_cast<std::array<double, ledger_count>>(w.ledger_sums());
+    const Momentum<D> momentum = w.momentum();
+    write_vector(momentum.linear, std::copy(ledger.begin(), ledger.end(), sums));
+    write_angular(momentum.angular, sums + ledger_count + 3);
     return HS_OK;
   });
 }
@@ -248,7 +257,7 @@ hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
 hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(sums, "sums");
-    std::array<double, HS_SUM_COUNT> all;
+    std::array<double, ledger_count> all;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!std::isfinite(sums[i]))
         refuse(HS_ERROR_ARGUMENT, "sums[%zu] is %g; it must be finite", i, sums[i]);
@@ -322,9 +331,10 @@ hs_status hs_world_get_loads(const hs_world* world, const int64_t keys[], int64_
     require_loads_computed(w);
     const std::int32_t length = load_length_of(w);
     const Blocks<D>& blocks = w.blocks();
+    const auto is_own = [](ShareRole role) { return role == ShareRole::own; };
+    std::size_t last = 0;
     for (std::int64_t i = 0; i < count; ++i) {
-      const std::size_t s =
-          slot_of_key(w, keys, i, "own block", [](ShareRole role) { return role == ShareRole::own; });
+      const std::size_t s = slot_of_key(w, keys, i, "own block", is_own, last);
       double* out = loads + i * length;
       out = std::copy_n(blocks.force[s].data(), D, out);
       out = std::copy_n(blocks.torque[s].data(), blocks.torque[s].size(), out);
@@ -345,9 +355,9 @@ hs_status hs_world_set_loads(hs_world* world, const int64_t keys[], int64_t coun
     if (count > 0) require_pointer(loads, "loads");
     require_loads_computed(w);
     const std::int32_t length = load_length_of(w);
-    const auto slot = [&](std::int64_t i) {
-      return slot_of_key(w, keys, i, "copy", [](ShareRole role) { return role == ShareRole::neighbor; });
-    };
+    const auto is_copy = [](ShareRole role) { return role == ShareRole::neighbor; };
+    std::size_t last = 0;
+    const auto slot = [&](std::int64_t i) { return slot_of_key(w, keys, i, "copy", is_copy, last); };
     for (std::int64_t i = 0; i < count; ++i) static_cast<void>(slot(i));  // before any changes
     for (std::int64_t i = 0; i < count; ++i) {
       const double* in = loads + i * length;

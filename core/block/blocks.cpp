@@ -99,6 +99,16 @@ double Blocks<D>::strain_mobility(std::size_t slot) const {
   return most;
 }
 
+template <int D>
+void Blocks<D>::begin_taking_over(const Blocks& other, std::size_t count) {
+  free_slots_.reserve(count);
+  const auto reserve = [&](auto&... arrays) { (arrays.reserve(count), ...); };
+  reserve(kind, material, generation, position, velocity, force, applied_force, rotation, spin, momentum,
+          torque, applied_torque, mass, inertia, radius, largest_face, thickness, held);
+  if constexpr (D == 2) angle.reserve(count);
+  outlines_.begin_taking_over(other.outlines_, count);
+}
+
 /// Allocates first: when memory runs out, nothing has changed, and the outline is given back.
 template <int D>
 std::int32_t Blocks<D>::occupy(const typename Outlines<D>::Taken& outline, BlockKind block_kind,

@@ -98,7 +98,7 @@ class Blocks {
   bool is_sound(const OutlineCopy<D>& copy) const { return outlines_.is_sound(copy); }
   std::int32_t add(const BlockState<D>& state, const OutlineCopy<D>& own);
   /// The same with the outline of a block of another world, between begin and end.
-  void begin_taking_over(const Blocks& other) { outlines_.begin_taking_over(other.outlines_); }
+  void begin_taking_over(const Blocks& other, std::size_t count);
   std::int32_t add(const BlockState<D>& state, const Blocks& other, std::int32_t slot);
   /// Places an outline where the block is.
   void renew_outline(std::int32_t slot);

@@ -123,7 +123,12 @@ bool Outlines<3>::is_sound(const OutlineCopy<3>& copy) const {
 }
 
 template <int D>
-void Outlines<D>::begin_taking_over([[maybe_unused]] const Outlines& other) {
+void Outlines<D>::begin_taking_over(const Outlines& other, std::size_t count) {
+  first_.reserve(count);
+  form_.reserve(count);
+  const std::size_t components = other.own_.size() / std::max<std::size_t>(1, other.slot_count()) * count;
+  own_.reserve(components);
+  turned_.reserve(components);
   if constexpr (D == 3) topologies_.hold_all_of(other.topologies_);
 }
 

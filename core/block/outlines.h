@@ -45,7 +45,7 @@ class Outlines {
   /// Is a complete copy that of a closed convex surface, as far as its topology tells?
   bool is_sound(const OutlineCopy<D>& copy) const;
   // Taking over outlines of another world, between begin and end.
-  void begin_taking_over(const Outlines& other);
+  void begin_taking_over(const Outlines& other, std::size_t count);
   Taken take_over(const Outlines& other, std::int32_t slot);
   void end_taking_over();
   /// Closes the gap of a removed block.

@@ -39,19 +39,25 @@ std::int32_t Topologies::find(std::uint64_t hash, const Topology& topology, std:
   return -1;
 }
 
-/// Rebuilds views_ and by_hash_.
-void Topologies::find_anew() {
+/// Rebuilds views_; false for a damaged snapshot, which has none.
+bool Topologies::view_anew() {
   views_.clear();
-  by_hash_.clear();
   for (const Kept& kept : kept_) {
     if (kept.users > 0 && !lies_within(kept)) {
       views_.clear();
-      return;
+      return false;
     }
     views_.push_back(kept.users > 0
                          ? topology_at(indices_.data() + kept.first, kept.vertices, kept.edges, kept.faces)
                          : Topology());
   }
+  return true;
+}
+
+/// Rebuilds views_ and by_hash_.
+void Topologies::find_anew() {
+  by_hash_.clear();
+  if (!view_anew()) return;
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     if (kept_[i].users > 0) by_hash_.push_back(std::int32_t(i));
   }
@@ -160,14 +166,20 @@ void Topologies::hold_all_of(const Topologies& other) {
     is_held_.push_back(kept.users > 0);
   }
   are_sound_ = other.are_sound_;
-  find_anew();
+  by_hash_ = other.by_hash_;
+  view_anew();
 }
 
 void Topologies::end_holding() {
+  bool all_used = true;
+  for (std::size_t i = 0; i < is_held_.size(); ++i) {
+    kept_[i].users -= is_held_[i];
+    all_used = all_used && (kept_[i].users > 0 || !is_held_[i]);
+  }
+  is_held_.clear();
+  if (all_used) return;
   Array<std::int32_t> used(indices_.get_allocator());
   used.reserve(indices_.size());
-  for (std::size_t i = 0; i < is_held_.size(); ++i) kept_[i].users -= is_held_[i];
-  is_held_.clear();
   for (Kept& kept : kept_) {
     if (kept.users == 0) {
       kept = {};

@@ -64,6 +64,7 @@ class Topologies {
 
   bool lies_within(const Kept& kept) const;
   std::int32_t find(std::uint64_t hash, const Topology& topology, std::int64_t length) const;
+  bool view_anew();
   void find_anew();
 
   Array<std::int32_t> indices_;

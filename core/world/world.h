@@ -77,6 +77,13 @@ struct SharedMotion {
   bool needs_assembly = false;         // an entry face has to be told to other shares
 };
 
+/// The momentum of the own blocks of a share; those of meshes are not among them.
+template <int D>
+struct Momentum {
+  Vector<D> linear = Vector<D>::Zero();     // N s
+  Angular<D> angular = Angular<D>::Zero();  // about the origin, N m s
+};
+
 /// Maximum number of motions in one call of step().
 constexpr int max_motions = 1 << 14;
 
@@ -190,7 +197,7 @@ class World {
   void set_keys(std::span<const std::int64_t> keys);
   const Share& share() const { return share_; }
   /// The slot of the block with a key; -1: none.
-  std::int32_t living_slot_of(std::int64_t key) const;
+  std::int32_t living_slot_of(std::int64_t key, std::size_t near = 0) const;
   /// The record of a block, from which assemble() makes it in another world.
   void record(std::size_t slot, bool with_outline, BlockRecord<D>& out);
   /// Makes this new and empty world one of the given blocks, in ascending order of keys.
@@ -209,6 +216,7 @@ class World {
   void set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque, const Tensor<D>& virial);
   EnergyLedger::Sums ledger_sums() const { return ledger_.sums(); }
   void set_ledger_sums(const EnergyLedger::Sums& sums) { ledger_.set_sums(sums); }
+  Momentum<D> momentum() const;
   /// The properties that all shares of this world have, or of the world of which it is a share.
   Share::Common common_of_shares();
   /// Twice the largest distance of the centroids of two blocks that the next list may hold.
@@ -356,6 +364,8 @@ class World {
   void take_pairs(const World& from, const CarriedPairs<D>& pairs);
   void take_contacts(const World& from, const CarriedPairs<D>& pairs);
   void take_settings(World& from, std::span<const PackedBlock> blocks);
+  void take_actions(const World& from);
+  void load_everywhere();
   StepResult division_in_share();
   void lap(Pass pass) {
     if (stopwatch_ && (pass != Pass::hard_contacts || hard_contacts_.is_used())) stopwatch_->lap(pass);

@@ -121,4 +121,4 @@ _Static_assert(HS_ROLE_OWN == 0, "HS_ROLE_OWN");
 _Static_assert(HS_ROLE_NEIGHBOR == 1, "HS_ROLE_NEIGHBOR");
 _Static_assert(HS_ROLE_EVERYWHERE == 2, "HS_ROLE_EVERYWHERE");
 
-_Static_assert(HS_SUM_COUNT == 21, "HS_SUM_COUNT");
+_Static_assert(HS_SUM_COUNT == 27, "HS_SUM_COUNT");

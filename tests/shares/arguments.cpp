@@ -68,6 +68,16 @@ TEST_CASE("what shares cannot hold is refused by name", "[shares]") {
   require_ok(hs_world_add_bolt(bolted.world.get(), &bolt, nullptr), bolted.context.get());
   CHECK_THAT(refusal_of(bolted), Contains("bolts"));
 
+  const Row pushed;
+  hs_action_def action;
+  require_ok(hs_action_def_init(&action, sizeof action), pushed.context.get());
+  const double time = 0, value[3] = {1, 0, 0};
+  require_ok(
+      hs_world_add_table(pushed.world.get(), &time, {value, value + 1, value + 2, 24, 1}, &action.table),
+      pushed.context.get());
+  require_ok(hs_world_add_action(pushed.world.get(), pushed.boxes[1], &action), pushed.context.get());
+  CHECK_THAT(refusal_of(pushed), Contains("actions on free blocks"));
+
   const Row bonded;
   hs_bond_def bond;
   require_ok(hs_bond_def_init(&bond, sizeof bond), bonded.context.get());
@@ -164,6 +174,23 @@ TEST_CASE("records tell where they end before there is room for them", "[shares]
         HS_NOTE_TRUNCATED);
   CHECK(needed == records.bytes.size());
   CHECK(ends == records.ends);
+}
+
+TEST_CASE("sums have the momentum about the origin, and setting them does not change it", "[shares]") {
+  const Row row;
+  const double velocity[] = {2, 3, 0}, spin[] = {0, 0, 4};
+  require_ok(hs_world_set_velocity(row.world.get(), row.boxes[2], velocity, spin), row.context.get());
+  double sums[HS_SUM_COUNT], after[HS_SUM_COUNT];
+  require_ok(hs_world_get_sums(row.world.get(), sums), row.context.get());
+  // A square of 2000 kg with its centroid at (2.5, 0.5): m v, and m (x v_y - y v_x) + m a^2 / 6 w.
+  const double expected[] = {4000, 6000, 0, 0, 0, 2000 * (2.5 * 3 - 0.5 * 2) + 2000.0 / 6 * 4};
+  for (int i = 0; i < 6; ++i) CHECK(sums[21 + i] == Approx(expected[i]).epsilon(1e-14));
+  sums[0] = 7;
+  sums[26] = HUGE_VAL;
+  require_ok(hs_world_set_sums(row.world.get(), sums), row.context.get());
+  require_ok(hs_world_get_sums(row.world.get(), after), row.context.get());
+  CHECK(after[0] == 7);
+  CHECK(after[26] == Approx(expected[5]).epsilon(1e-14));
 }
 
 TEST_CASE("damaged records are refused", "[shares]") {

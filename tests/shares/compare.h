@@ -3,6 +3,7 @@
 // Comparison of a world that is cut into shares with the whole one.
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "catch.h"
@@ -27,18 +28,38 @@ inline std::string first_difference(hs_context* context_a, hs_world* a, hs_conte
   return "none";
 }
 
-/// Energies and losses of shares add up to those of the whole world, to rounding.
+/// The blocks that are everywhere have the same loads, to the bit.
+inline void check_loads_everywhere(const hs_world* joined, const hs_world* whole) {
+  const std::vector<std::int32_t> roles = roles_of(whole);
+  std::vector<hs_block> of_joined(roles.size()), of_whole(roles.size());
+  const std::int64_t count = std::int64_t(roles.size());
+  REQUIRE(hs_world_get_blocks(joined, of_joined.data(), count, nullptr) == HS_OK);
+  REQUIRE(hs_world_get_blocks(whole, of_whole.data(), count, nullptr) == HS_OK);
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != HS_ROLE_EVERYWHERE) continue;
+    const hs_block_state a = state_of(joined, of_joined[i]), b = state_of(whole, of_whole[i]);
+    INFO("block " << i << ": force " << a.force[0] << " and " << b.force[0]);
+    CHECK(std::memcmp(a.force, b.force, sizeof a.force) == 0);
+    CHECK(std::memcmp(a.torque, b.torque, sizeof a.torque) == 0);
+    CHECK(std::memcmp(&a.pose, &b.pose, sizeof a.pose) == 0);
+    CHECK(std::memcmp(a.velocity, b.velocity, sizeof a.velocity) == 0);
+  }
+}
+
+/// Energies, losses and momentum of shares add up to those of the whole world, to rounding.
 inline void check_sums(const std::vector<double>& found, const hs_world* whole) {
   std::vector<double> expected(HS_SUM_COUNT);
   REQUIRE(hs_world_get_sums(whole, expected.data()) == HS_OK);
-  const auto check = [&](std::size_t first, std::size_t last) {
+  const auto check = [&](std::size_t first, std::size_t last, double tolerance) {
     double largest = 0;
     for (std::size_t i = first; i < last; ++i) largest = std::max(largest, std::abs(expected[i]));
-    for (std::size_t i = first; i < last; ++i) CHECK(std::abs(found[i] - expected[i]) <= 1e-12 * largest);
+    for (std::size_t i = first; i < last; ++i) CHECK(std::abs(found[i] - expected[i]) <= tolerance * largest);
   };
-  constexpr std::size_t powers = 5;
-  check(0, HS_SUM_COUNT - powers);
-  check(HS_SUM_COUNT - powers, HS_SUM_COUNT);
+  constexpr std::size_t powers = 16, momentum = 21, angular = 24;
+  check(0, powers, 1e-12);
+  check(powers, momentum, 1e-12);
+  check(momentum, angular, 1e-13);
+  check(angular, HS_SUM_COUNT, 1e-13);
 }
 
 struct Seen {
@@ -60,6 +81,7 @@ inline Seen compare(const std::vector<unsigned char>& start, std::size_t shares,
     const World joined = split.joined();
     INFO("after " << report_of(whole.get()).steps << " steps in " << shares << " shares");
     REQUIRE(first_difference(split.context(), joined.get(), context.get(), whole.get()) == "none");
+    check_loads_everywhere(joined.get(), whole.get());
     CHECK(info_of(joined.get()).is_whole == 1);
     check_sums(split.sums(), whole.get());
   }

@@ -57,6 +57,30 @@ inline std::vector<unsigned char> wall_in_water() {
   return saved(world.get());
 }
 
+/// The same wall in an earthquake: its floor follows a velocity in time and turns, all blocks feel an
+/// acceleration.
+inline std::vector<unsigned char> wall_in_earthquake() {
+  const Context context = make_context();
+  const World world = restored(context.get(), wall_in_water());
+  const std::vector<double> times = {0, 0.03, 0.07, 0.15};
+  const Points3 values = {{0, 0, 0}, {3, 1, 0.2}, {-2, 0.5, -0.1}, {1, 0, 0}};
+  std::int32_t table = -1;
+  require_ok(hs_world_add_table(world.get(), times.data(), view_of(values), &table), context.get());
+  hs_block floor = 0;
+  if (hs_world_get_blocks(world.get(), &floor, 1, nullptr) < 0) throw std::runtime_error("no blocks");
+  const auto act = [&](hs_block block, std::int32_t kind) {
+    hs_action_def def;
+    require_ok(hs_action_def_init(&def, sizeof def), context.get());
+    def.kind = kind;
+    def.table = table;
+    require_ok(hs_world_add_action(world.get(), block, &def), context.get());
+  };
+  act(floor, HS_ACTION_VELOCITY);
+  act(floor, HS_ACTION_ANGULAR_VELOCITY);
+  act(0, HS_ACTION_ACCELERATION);
+  return saved(world.get());
+}
+
 /// Hulls that fall into a long box and slide along it.
 inline std::vector<unsigned char> heap_in_space(const LawOfStiffness& of, std::int32_t kind, int count = 60) {
   hs_world_def def = world_def(3);

@@ -38,7 +38,7 @@ int split_scene(const SceneFile& file, std::int64_t count, const Target& target)
   if (checked.faults.none()) require_steps_only(checked);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   const Model model(checked.context, checked.scene, std::move(checked.layout));
-  if (!model.motions_over())
+  if (model.has_motion_changes())
     throw std::runtime_error(file.path +
                              ": shares do not start or stop motions; allowed: none with start or stop");
   split(checked.context, model.world(), count, target);

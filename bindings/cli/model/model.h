@@ -79,7 +79,9 @@ class Model {
   /// True after the step nearest to this time.
   bool reached(double time) const { return time - report_.time < report_.time_step / 2; }
 
-  bool motions_over() const { return next_motion_change() == never && reached(state_.actions_end); }
+  /// Does a prescribed motion still start or stop?
+  bool has_motion_changes() const { return next_motion_change() != never; }
+  bool motions_over() const { return !has_motion_changes() && reached(state_.actions_end); }
   const hs_world_report& report() const { return report_; }
   Frame frame() const;
   /// The current contacts; their blocks are indices in the layout.

@@ -181,7 +181,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ROLE_EVERYWHERE = 2  !< fixed and prescribed blocks: in all shares, without loads of their own
 
   !> Number of values of hs_world_get_sums().
-  integer(c_int32_t), parameter :: HS_SUM_COUNT = 21
+  integer(c_int32_t), parameter :: HS_SUM_COUNT = 27
 
   !> Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes.
   type, bind(c) :: hs_view
@@ -2365,23 +2365,27 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_assemble
     end function hs_world_assemble
 
-    !> Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
-    !! world.
+    !> Returns energies, losses and momentum of a share, as numbers that add up over shares to those of the
+    !! whole world.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_get_sums(world, sums) bind(c)
       import
       type(c_ptr), value :: world  !< a share or a whole world
-      type(c_ptr), value :: sums  !< receives HS_SUM_COUNT values, J and W
+      !> receives HS_SUM_COUNT values: 16 energies and losses, J, 5 powers, W, then of rigid and affine blocks
+      !! and compounds the linear momentum x, y, z, N s, and the angular one about the origin x, y, z, N m s
+      type(c_ptr), value :: sums
       integer(c_int32_t) :: hs_world_get_sums
     end function hs_world_get_sums
 
     !> Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
-    !! losses; to zeros in a share without own blocks.
+    !! losses; to zeros in a share without own blocks. The momentum is left as it is.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_sums(world, sums) bind(c)
       import
       type(c_ptr), value :: world  !< a share or a whole world
-      type(c_ptr), value :: sums  !< HS_SUM_COUNT values, finite
+      !> HS_SUM_COUNT values, of which energies, losses and powers are finite; those of the momentum are
+      !! ignored
+      type(c_ptr), value :: sums
       integer(c_int32_t) :: hs_world_set_sums
     end function hs_world_set_sums
 

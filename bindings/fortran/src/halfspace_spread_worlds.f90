@@ -174,7 +174,8 @@ contains
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine assemble
 
-  !> Energies and losses, J and W, as numbers that add up over shares to those of the whole world.
+  !> Energies and losses (16, J), powers (5, W), linear momentum (3, N s) and angular momentum about the origin
+  !> (3, N m s), as numbers that add up over shares to those of the whole world.
   subroutine sums(self, values, stat, errmsg)
     class(spread_world), intent(in) :: self
     real(c_double), intent(out), target :: values(HS_SUM_COUNT)
@@ -183,7 +184,7 @@ contains
     call conclude(hs_world_get_sums(self%c_handle(), c_loc(values)), self%c_context(), stat, errmsg)
   end subroutine sums
 
-  !> Sets them: to the sums over the shares whose blocks the world has taken over.
+  !> Sets them, all but the momentum: to the sums over the shares whose blocks the world has taken over.
   subroutine set_sums(self, values, stat, errmsg)
     class(spread_world), intent(inout) :: self
     real(c_double), intent(in), target :: values(HS_SUM_COUNT)

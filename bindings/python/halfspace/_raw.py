@@ -194,7 +194,7 @@ HS_ROLE_NEIGHBOR = 1  # a copy: it moves alike, and its loads come from the shar
 HS_ROLE_EVERYWHERE = 2  # fixed and prescribed blocks: in all shares, without loads of their own
 
 # Number of values of hs_world_get_sums().
-HS_SUM_COUNT = 21  # 
+HS_SUM_COUNT = 27  # 
 
 
 class hs_context(Structure):
@@ -2210,8 +2210,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_assemble.restype = hs_status
 
-    # Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
-    # world.
+    # Returns energies, losses and momentum of a share, as numbers that add up over shares to those of the
+    # whole world.
     library.hs_world_get_sums.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # sums
@@ -2219,7 +2219,7 @@ def declare(library: Any) -> None:
     library.hs_world_get_sums.restype = hs_status
 
     # Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
-    # losses; to zeros in a share without own blocks.
+    # losses; to zeros in a share without own blocks. The momentum is left as it is.
     library.hs_world_set_sums.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # sums

@@ -153,8 +153,9 @@ class Shares(BlockArrays):
 
     @property
     def sums(self) -> Floats:
-        """Energies and losses, J and W, as 21 numbers that add up over shares to those of the whole world. Assignment
-        sets them: to the sums over the shares whose blocks the world has taken over, as it continues their losses."""
+        """Energies and losses (16, J), powers (5, W), linear momentum (3, N s) and angular momentum about the origin
+        (3, N m s), as numbers that add up over shares to those of the whole world. Assignment sets them, all but the
+        momentum: to the sums over the shares whose blocks the world has taken over, as it continues their losses."""
         sums = np.empty(_raw.HS_SUM_COUNT)
         self._call(library.hs_world_get_sums, sums.ctypes.data)
         return sums

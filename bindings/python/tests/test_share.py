@@ -152,11 +152,12 @@ def test_bad_blocks_and_loads_are_refused():
         world.loads([1])
     with pytest.raises(ValueError, match=r"it must be \(1, 3\)"):
         world.set_loads([1], [[1.0, 2.0]])
-    with pytest.raises(ValueError, match=r"it must be \(21,\)"):
+    with pytest.raises(ValueError, match=r"it must be \(27,\)"):
         world.sums = [0.0]
     share = world.assemble([hs.Packed(0, "everywhere"), hs.Packed(1)])
     assert share.share_info().own_count == 1
+    again = hs.World.restore(share.save())
+    assert again.keys.tolist() == [0, 1] and not again.share_info().is_whole
+    share.sums = share.sums
     with pytest.raises(hs.StateError):
-        share.save()
-    with pytest.raises(hs.StateError):
-        share.sums = share.sums
+        share.step(1)

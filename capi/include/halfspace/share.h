@@ -11,13 +11,14 @@
  *  across a border is computed by both owners; no force of a pair is carried. The loads on a block are summed
  *  in the order of keys by its owner, and carried to the shares that have a copy.
  *
- *  Shares hold rigid and affine blocks, laws with springs and potential laws, water and applied forces.
- *  hs_world_assemble() refuses, by name: meshes, bonds of bond.h, compounds, bolts, actions, sleep, laws
- *  without springs, and worlds without a given time step. A share cannot be relaxed, and no block is added to
- *  it, removed or placed: join the shares first. Between steps it can be saved by hs_world_save() with its
- *  copies and keys, and restored in another run. Laws, gravity and damping may be changed between
- *  steps, alike in all shares, as may velocities and applied forces, alike in all shares that hold the block;
- *  then hs_world_begin() and hs_world_end_begin() follow. See docs/concepts/shares.md.
+ *  Shares hold rigid and affine blocks, laws with springs and potential laws, water, applied forces, and
+ *  actions on prescribed blocks and on all blocks. hs_world_assemble() refuses, by name: meshes, bonds of
+ *  bond.h, compounds, bolts, servos and actions on free blocks, sleep, laws without springs, and worlds without
+ *  a given time step. A share cannot be relaxed, and no block is added to it, removed or placed: join the shares
+ *  first. Between steps it can be saved by hs_world_save() with its copies and keys, and restored in another
+ *  run. Laws, gravity and damping may be changed between steps, alike in all shares, as may velocities and
+ *  applied forces, alike in all shares that hold the block; then hs_world_begin() and hs_world_end_begin()
+ *  follow. See docs/concepts/shares.md.
  */
 #ifndef HALFSPACE_SHARE_H
 #define HALFSPACE_SHARE_H
@@ -38,7 +39,7 @@ enum {
 };
 
 /** Number of values of hs_world_get_sums(). */
-enum { HS_SUM_COUNT = 21 };
+enum { HS_SUM_COUNT = 27 };
 
 /** A block of a share to be assembled. */
 typedef struct hs_packed {
@@ -138,15 +139,19 @@ HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_
 HS_CHECKED hs_status hs_world_assemble(hs_context *context, hs_world *from, const hs_packed blocks[],
                                        int64_t count, hs_world **share);
 
-/** @brief Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
- *  world.
- *  @param world a share or a whole world @param sums receives HS_SUM_COUNT values, J and W
+/** @brief Returns energies, losses and momentum of a share, as numbers that add up over shares to those of the
+ *  whole world.
+ *  @param world a share or a whole world
+ *  @param sums receives HS_SUM_COUNT values: 16 energies and losses, J, 5 powers, W, then of rigid and affine
+ *         blocks and compounds the linear momentum x, y, z, N s, and the angular one about the origin x, y, z,
+ *         N m s
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_sums(const hs_world *world, double sums[]);
 
 /** @brief Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
- *  losses; to zeros in a share without own blocks.
- *  @param world a share or a whole world @param sums HS_SUM_COUNT values, finite
+ *  losses; to zeros in a share without own blocks. The momentum is left as it is.
+ *  @param world a share or a whole world @param sums HS_SUM_COUNT values, of which energies, losses and powers
+ *         are finite; those of the momentum are ignored
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_set_sums(hs_world *world, const double sums[]);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -100,6 +101,11 @@ class Actions {
         node_loads_(memory) {}
 
   bool empty() const { return actions_.empty() && node_actions_.empty(); }
+  /// Does a condition hold for any action on blocks?
+  template <class Condition>
+  bool any(Condition condition) const {
+    return std::any_of(actions_.begin(), actions_.end(), condition);
+  }
   const Tables& tables() const { return tables_; }
   std::int32_t add_table(std::span<const double> times, std::span<const Vector<3>> values) {
     return tables_.add(times, values);
@@ -171,6 +177,19 @@ class Actions {
   void return_to(const Motion& motion, const Blocks<D>& blocks) {
     motion_ = motion;
     if (is_renewed_) renew(blocks);  // else loads have not changed since
+  }
+
+  /// Takes over the actions of another world. `slot_of(slot)`: of the same block here; -1: it is not here.
+  /// Call renew() afterwards.
+  template <class SlotOf>
+  void take_over(const Actions& other, SlotOf slot_of) {
+    tables_ = other.tables_;
+    motion_ = other.motion_;
+    for (Action<D> action : other.actions_) {
+      const bool is_on_all = action.slot < 0;
+      if (!is_on_all) action.slot = slot_of(action.slot);
+      if (is_on_all || action.slot >= 0) actions_.push_back(action);
+    }
   }
 
   /// Validates the state read from a snapshot.

@@ -60,8 +60,8 @@ void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) 
 }
 
 template <int D>
-std::int32_t World<D>::living_slot_of(std::int64_t key) const {
-  const std::int32_t slot = share_.slot_of(key, model_.blocks.slot_count());
+std::int32_t World<D>::living_slot_of(std::int64_t key, std::size_t near) const {
+  const std::int32_t slot = share_.slot_of(key, model_.blocks.slot_count(), near);
   return slot >= 0 && model_.blocks.lives(std::size_t(slot)) ? slot : -1;
 }
 
@@ -133,10 +133,14 @@ AssemblyFault World<D>::take_blocks(World<D>& from, std::span<const PackedBlock>
   share_.reserve(blocks.size());
   integrator_.reserve(blocks.size());
   integrator_.resize(blocks.size());
-  model_.blocks.begin_taking_over(from.model_.blocks);
+  model_.blocks.begin_taking_over(from.model_.blocks, blocks.size());
+  pairs.reserve(from.contacts_.neighbors().pairs().size() * blocks.size() /
+                std::max<std::size_t>(1, from.model_.blocks.slot_count()));
+  std::size_t last_known = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const PackedBlock& block = blocks[i];
-    const std::int32_t known = from.living_slot_of(block.key), self = std::int32_t(i);
+    const std::int32_t known = from.living_slot_of(block.key, last_known), self = std::int32_t(i);
+    if (known >= 0) last_known = std::size_t(known);
     const AssemblyFault::Kind fault = read_record(from, block, known, record);
     if (fault != AssemblyFault::none) return {fault, i};
     if (known >= 0) {
@@ -155,15 +159,16 @@ AssemblyFault World<D>::take_blocks(World<D>& from, std::span<const PackedBlock>
       const std::int32_t partner = slot_of(pair.partner);
       if (partner < 0) {
         ++pairs.missing[i];
-      } else if (partner > self || blocks[std::size_t(partner)].role == ShareRole::everywhere) {
-        pairs.all.push_back({std::min(self, partner), std::max(self, partner), pair, first_code});
+      } else if (partner > self) {
+        pairs.add({self, partner, pair, first_code});
+      } else if (blocks[std::size_t(partner)].role == ShareRole::everywhere) {
+        pairs.add_late({partner, self, pair, first_code});
       }
       first_code += std::size_t(pair.plan_length);
     }
   }
   model_.blocks.end_taking_over();
-  std::sort(pairs.all.begin(), pairs.all.end(),
-            [](const auto& p, const auto& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+  pairs.put_in_order();
   return {};
 }
 
@@ -172,7 +177,8 @@ void World<D>::take_pairs(const World<D>& from, const CarriedPairs<D>& pairs) {
   NeighborList<D>& neighbors = contacts_.neighbors();
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  for (const auto& pair : pairs.all) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto& pair = pairs[k];
     const PairRecord<D>& memory = pair.memory;
     neighbors.add_pair({pair.a, pair.b, memory.witness, memory.bonded, {}}, memory.shear, with_shear);
   }
@@ -181,23 +187,61 @@ void World<D>::take_pairs(const World<D>& from, const CarriedPairs<D>& pairs) {
   share_.note_missing(pairs.missing);
 }
 
+/// Motions of blocks that are everywhere, and accelerations of all blocks.
+template <int D>
+void World<D>::take_actions(const World<D>& from) {
+  if (from.model_.actions.empty()) return;
+  const auto slot_of = [&](std::int32_t slot) {
+    return living_slot_of(from.share_.key_of(std::size_t(slot)));
+  };
+  model_.actions.take_over(from.model_.actions, slot_of);
+  model_.actions.renew(model_.blocks);
+}
+
 /// Contacts, their forces and division plans.
 template <int D>
 void World<D>::take_contacts(const World<D>& from, const CarriedPairs<D>& pairs) {
-  for (std::size_t k = 0; k < pairs.all.size(); ++k) {
-    if (pairs.all[k].memory.is_in_contact && share_.loads(pairs.all[k])) contacts_.add_contact(k);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (pairs[k].memory.is_in_contact && share_.loads(pairs[k])) contacts_.add_contact(k);
   }
   contacts_.end_taking_over(from.contacts_);
   fit_rooms();
-  for (std::size_t k = 0; k < pairs.all.size(); ++k) {
-    forces_.set_force(k, pairs.all[k].memory.force);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    forces_.set_force(k, pairs[k].memory.force);
     if constexpr (D == 3) {
       NeighborList<D>& neighbors = contacts_.neighbors();
-      const std::span<const PlanCode> plan = pairs.plan_of(pairs.all[k]);
+      const std::span<const PlanCode> plan = pairs.plan_of(pairs[k]);
       if (!plan.empty()) neighbors.plans().add(plan, neighbors.pairs()[k].plan);
     }
   }
   forces_.end_taking_over(from.forces_);
+}
+
+/// The loads on blocks that are everywhere are those that this share computes.
+template <int D>
+void World<D>::load_everywhere() {
+  const Blocks<D>& blocks = model_.blocks;
+  if (!forces_.are_known()) return;
+  const auto is_everywhere = [&](std::int32_t slot) { return !blocks.moves_freely(std::size_t(slot)); };
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i)
+    if (!blocks.moves_freely(i)) forces_.set_load(i, Vector<D>::Zero(), Angular<D>::Zero());
+  const auto add = [&](std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
+    const std::size_t i = std::size_t(slot);
+    forces_.set_load(i, blocks.force[i] + force, blocks.torque[i] + torque);
+  };
+  for (std::size_t c = 0; c < contacts_.count(); ++c) {
+    const Candidate<D>& pair = contacts_.pair_of(c);
+    const ContactForce<D>& load = forces_.of_contact(c);
+    const Vector<D> to_b = blocks.position[std::size_t(pair.b)] - blocks.position[std::size_t(pair.a)];
+    if (is_everywhere(pair.a)) add(pair.a, -load.force, load.torque_on_a());
+    if (is_everywhere(pair.b)) add(pair.b, load.force, load.torque_on_b(to_b));
+  }
+  const double unit_weight = model_.water.empty() ? 0 : model_.water.unit_weight(model_.settings.gravity);
+  for (std::size_t i = 0; i < blocks.slot_count() && unit_weight != 0; ++i) {
+    if (!blocks.moves(i) || blocks.moves_freely(i) || !share_.wets(i)) continue;
+    const WaterLoad<D> water = model_.water.load_on(blocks, i, unit_weight);
+    forces_.add_load(i, water.force, water.virial);
+  }
 }
 
 template <int D>
@@ -209,6 +253,8 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   share_.end_adding(from.common_of_shares());
   take_pairs(from, pairs);
   take_contacts(from, pairs);
+  take_actions(from);
+  load_everywhere();
   integrator_.look_what_moves();
   const auto was_sent = [](const PackedBlock& block) { return !block.bytes.empty(); };
   const bool is_trusted = std::none_of(blocks.begin(), blocks.end(), was_sent);
@@ -220,12 +266,14 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   template void World<D>::record(std::size_t, bool, BlockRecord<D>&);                                      \
   template AssemblyFault::Kind World<D>::read_record(World<D>&, const PackedBlock&, std::int32_t,          \
                                                      BlockRecord<D>&);                                     \
-  template std::int32_t World<D>::living_slot_of(std::int64_t) const;                                      \
+  template std::int32_t World<D>::living_slot_of(std::int64_t, std::size_t) const;                         \
   template Share::Common World<D>::common_of_shares();                                                     \
   template void World<D>::take_settings(World<D>&, std::span<const PackedBlock>);                          \
   template AssemblyFault World<D>::take_blocks(World<D>&, std::span<const PackedBlock>, CarriedPairs<D>&); \
   template void World<D>::take_pairs(const World<D>&, const CarriedPairs<D>&);                             \
   template void World<D>::take_contacts(const World<D>&, const CarriedPairs<D>&);                          \
+  template void World<D>::take_actions(const World<D>&);                                                   \
+  template void World<D>::load_everywhere();                                                               \
   template AssemblyFault World<D>::assemble(World<D>&, std::span<const PackedBlock>);
 
 HALFSPACE_MEMBERS(2)

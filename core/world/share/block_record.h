@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 #include "block/block_state.h"
 #include "force/potential/space/division_plan.h"
@@ -60,15 +62,48 @@ struct CarriedPairs {
     std::size_t first_code;  // of its division plan, in `codes`
   };
 
-  CarriedPairs(std::size_t blocks, Memory* memory) : all(memory), codes(memory), missing(blocks, 0, memory) {}
+  CarriedPairs(std::size_t blocks, Memory* memory)
+      : codes(memory), missing(blocks, 0, memory), all_(memory), order_(memory), late_(memory) {}
 
+  void reserve(std::size_t count) {
+    all_.reserve(count);
+    order_.reserve(count);
+  }
+  /// Adds a pair that follows those added before.
+  void add(const Pair& pair) {
+    order_.push_back(std::uint32_t(all_.size()));
+    all_.push_back(pair);
+  }
+  /// Adds any other pair.
+  void add_late(const Pair& pair) {
+    late_.push_back(std::uint32_t(all_.size()));
+    all_.push_back(pair);
+  }
+  /// Pairs are long, and stay where they are.
+  void put_in_order() {
+    const auto precedes = [&](std::uint32_t i, std::uint32_t j) {
+      return std::tie(all_[i].a, all_[i].b) < std::tie(all_[j].a, all_[j].b);
+    };
+    std::sort(late_.begin(), late_.end(), precedes);
+    Array<std::uint32_t> merged(all_.size(), 0, order_.get_allocator());
+    std::merge(order_.begin(), order_.end(), late_.begin(), late_.end(), merged.begin(), precedes);
+    order_.swap(merged);
+  }
+
+  std::size_t size() const { return order_.size(); }
+  /// In ascending order of a, then b.
+  const Pair& operator[](std::size_t k) const { return all_[order_[k]]; }
   std::span<const PlanCode> plan_of(const Pair& pair) const {
     return {codes.data() + pair.first_code, std::size_t(pair.memory.plan_length)};
   }
 
-  Array<Pair> all;  // in ascending order of a, then b
   Array<PlanCode> codes;
   Array<std::int32_t> missing;  // per block, the number of its pairs with blocks that are not here
+
+ private:
+  Array<Pair> all_;
+  Array<std::uint32_t> order_;
+  Array<std::uint32_t> late_;
 };
 
 }  // namespace halfspace

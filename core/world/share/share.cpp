@@ -4,9 +4,17 @@
 
 namespace halfspace {
 
-std::int32_t Share::slot_of(std::int64_t key, std::size_t slots) const {
+/// A search in steps that double, as hosts ask for keys in ascending order.
+std::int32_t Share::slot_of(std::int64_t key, std::size_t slots, std::size_t near) const {
   if (keys_.empty()) return key >= 0 && std::uint64_t(key) < slots ? std::int32_t(key) : -1;
-  const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
+  std::size_t begin = near < keys_.size() && keys_[near] <= key ? near : 0, step = 1;
+  while (begin + step < keys_.size() && keys_[begin + step] < key) {
+    begin += step;
+    step *= 2;
+  }
+  const auto first = keys_.begin() + std::ptrdiff_t(begin);
+  const auto found =
+      std::lower_bound(first, first + std::ptrdiff_t(std::min(step + 1, keys_.size() - begin)), key);
   return found != keys_.end() && *found == key ? std::int32_t(found - keys_.begin()) : -1;
 }
 

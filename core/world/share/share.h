@@ -70,8 +70,8 @@ class Share {
 
   /// The name of a block in all shares; without keys its place among the blocks.
   std::int64_t key_of(std::size_t slot) const { return keys_.empty() ? std::int64_t(slot) : keys_[slot]; }
-  /// The slot of a key among so many; -1: none.
-  std::int32_t slot_of(std::int64_t key, std::size_t slots) const;
+  /// The slot of a key among so many; -1: none. `near`: a slot that may be a little before it.
+  std::int32_t slot_of(std::int64_t key, std::size_t slots, std::size_t near = 0) const;
   /// In ascending order. Empty: places.
   void set_keys(std::span<const std::int64_t> keys) { keys_.assign(keys.begin(), keys.end()); }
   void forget_keys() { keys_.clear(); }

@@ -45,6 +45,7 @@ SharedMotion World<D>::plan_in_share() {
   SharedMotion motion;
   motion.needs_assembly = share_.needs_assembly();
   const double duration = clock_.rest();
+  if (!model_.actions.empty()) predict_actions(duration);
   hard_contacts_.begin(duration);
   if (!integrator_.predict(duration)) {
     motion.result = StepResult::unstable;
@@ -77,6 +78,19 @@ void World<D>::set_loads(std::size_t slot, const Vector<D>& force, const Angular
   if (model_.blocks.is_affine(slot)) model_.blocks.deformation(slot).virial = virial;
 }
 
+template <int D>
+Momentum<D> World<D>::momentum() const {
+  const Blocks<D>& blocks = model_.blocks;
+  Momentum<D> sum;
+  for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
+    if (!blocks.moves_freely(i) || !share_.is_own(i) || blocks.is_part(i) || blocks.is_of_mesh(i)) continue;
+    const Vector<D> linear = blocks.mass[i] * blocks.velocity[i];
+    sum.linear += linear;
+    sum.angular += moment(blocks.position[i], linear) + blocks.momentum[i];
+  }
+  return sum;
+}
+
 /// Two pairs of the list away: Share says why. A pair holds blocks whose gap is at most both skins when the
 /// list is made, and each moves by its skin while the list is in use.
 template <int D>
@@ -102,6 +116,7 @@ double World<D>::halo() {
   template SharedMotion World<D>::renew_list_in_share();                                                 \
   template void World<D>::end_step_in_share();                                                           \
   template void World<D>::set_loads(std::size_t, const Vector<D>&, const Angular<D>&, const Tensor<D>&); \
+  template Momentum<D> World<D>::momentum() const;                                                       \
   template double World<D>::halo();
 
 HALFSPACE_MEMBERS(2)

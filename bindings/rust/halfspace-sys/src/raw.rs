@@ -276,7 +276,7 @@ pub const HS_ROLE_NEIGHBOR: i32 = 1;
 pub const HS_ROLE_EVERYWHERE: i32 = 2;
 
 // Number of values of hs_world_get_sums().
-pub const HS_SUM_COUNT: i32 = 21;
+pub const HS_SUM_COUNT: i32 = 27;
 
 /// Opaque. Owns the allocator settings and the text of the last error.
 #[repr(C)]
@@ -3248,20 +3248,23 @@ extern "C" {
         share: *mut *mut hs_world,
     ) -> hs_status;
 
-    /// Returns the energies and losses of a share, as numbers that add up over shares to those of the whole
-    /// world.
+    /// Returns energies, losses and momentum of a share, as numbers that add up over shares to those of the
+    /// whole world.
     ///
     /// - `world`: a share or a whole world
-    /// - `sums`: receives HS_SUM_COUNT values, J and W
+    /// - `sums`: receives HS_SUM_COUNT values: 16 energies and losses, J, 5 powers, W, then of rigid and
+    ///   affine blocks and compounds the linear momentum x, y, z, N s, and the angular one about the origin
+    ///   x, y, z, N m s
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_get_sums(world: *const hs_world, sums: *mut f64) -> hs_status;
 
     /// Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
-    /// losses; to zeros in a share without own blocks.
+    /// losses; to zeros in a share without own blocks. The momentum is left as it is.
     ///
     /// - `world`: a share or a whole world
-    /// - `sums`: HS_SUM_COUNT values, finite
+    /// - `sums`: HS_SUM_COUNT values, of which energies, losses and powers are finite; those of the momentum
+    ///   are ignored
     ///
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_set_sums(world: *mut hs_world, sums: *const f64) -> hs_status;

@@ -175,7 +175,8 @@ impl World {
         })
     }
 
-    /// Returns the energies and losses of the share.
+    /// Returns the share's energies and losses (16, J), powers (5, W), linear momentum (3, N s) and angular
+    /// momentum about the origin (3, N m s).
     pub fn sums(&self) -> Sums {
         let mut sums = Sums::default();
         // SAFETY: the world lives, and the array is as long as the library's.
@@ -184,7 +185,7 @@ impl World {
         sums
     }
 
-    /// Sets them: to the sums over the shares whose blocks the world has taken over.
+    /// Sets them, all but the momentum: to the sums over the shares whose blocks the world has taken over.
     pub fn set_sums(&mut self, sums: &Sums) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably, and the array is as long as the library's.
         self.check(unsafe { sys::hs_world_set_sums(self.handle(), sums.as_ptr()) })
