@@ -147,6 +147,7 @@ hs_status hs_world_add_action(hs_world* world, hs_block block, const hs_action_d
 
 hs_status hs_world_end_actions(hs_world* world, hs_block block) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_joined(w);
     w.end_actions(block == 0 ? -1 : slot_of(w.blocks(), block, "block"));
     return HS_OK;
   });

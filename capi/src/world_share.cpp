@@ -27,11 +27,8 @@ void require_shareable(const World<D>& w) {
   if (!w.bonds().empty()) found = "bonds of bond.h";
   if (!w.blocks().compounds().empty()) found = "compounds";
   if (!model.bolts.empty()) found = "bolts";
-  if (model.actions.any([&](const Action<D>& action) {
-        return action.kind == ActionKind::servo ||
-               (action.slot >= 0 && w.blocks().moves_freely(std::size_t(action.slot)));
-      }))
-    found = "servos or actions on free blocks";
+  if (model.actions.any([](const Action<D>& action) { return action.kind == ActionKind::servo; }))
+    found = "servos";
   if (model.settings.sleep_tolerance > 0) found = "sleep";
   if (model.materials.laws().knows_no_spring()) found = "laws without springs";
   if (found) refuse(HS_ERROR_STATE, "the world has %s, which shares cannot hold", found);

@@ -71,12 +71,16 @@ TEST_CASE("what shares cannot hold is refused by name", "[shares]") {
   const Row pushed;
   hs_action_def action;
   require_ok(hs_action_def_init(&action, sizeof action), pushed.context.get());
+  action.kind = HS_ACTION_SERVO;
+  action.max_speed = 1;
+  action.scale[1] = action.scale[2] = 0;
   const double time = 0, value[3] = {1, 0, 0};
   require_ok(
       hs_world_add_table(pushed.world.get(), &time, {value, value + 1, value + 2, 24, 1}, &action.table),
       pushed.context.get());
+  require_ok(hs_world_hold_block(pushed.world.get(), pushed.boxes[1], 1), pushed.context.get());
   require_ok(hs_world_add_action(pushed.world.get(), pushed.boxes[1], &action), pushed.context.get());
-  CHECK_THAT(refusal_of(pushed), Contains("actions on free blocks"));
+  CHECK_THAT(refusal_of(pushed), Contains("servos"));
 
   const Row bonded;
   hs_bond_def bond;

@@ -68,16 +68,27 @@ inline std::vector<unsigned char> wall_in_earthquake() {
   require_ok(hs_world_add_table(world.get(), times.data(), view_of(values), &table), context.get());
   hs_block floor = 0;
   if (hs_world_get_blocks(world.get(), &floor, 1, nullptr) < 0) throw std::runtime_error("no blocks");
-  const auto act = [&](hs_block block, std::int32_t kind) {
+  const auto act = [&](hs_block block, std::int32_t kind, const Point3& scale = {1, 1, 1}) {
     hs_action_def def;
     require_ok(hs_action_def_init(&def, sizeof def), context.get());
     def.kind = kind;
+    def.scale[0] = scale.x;
+    def.scale[1] = scale.y;
+    def.scale[2] = scale.z;
     def.table = table;
     require_ok(hs_world_add_action(world.get(), block, &def), context.get());
   };
   act(floor, HS_ACTION_VELOCITY);
   act(floor, HS_ACTION_ANGULAR_VELOCITY);
   act(0, HS_ACTION_ACCELERATION);
+  // Bricks are pushed, turned, and moved along a held axis.
+  hs_block bricks[61] = {};
+  require_ok(hs_world_get_blocks(world.get(), bricks, 61, nullptr), nullptr);
+  act(bricks[8], HS_ACTION_FORCE, {2e3, 2e3, 0});
+  act(bricks[31], HS_ACTION_TORQUE, {0, 0, 1e3});
+  act(bricks[55], HS_ACTION_FORCE, {-5e3, 0, 0});
+  require_ok(hs_world_hold_block(world.get(), bricks[60], 1), context.get());
+  act(bricks[60], HS_ACTION_VELOCITY, {1, 0, 0});
   return saved(world.get());
 }
 

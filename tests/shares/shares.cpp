@@ -26,7 +26,7 @@ TEST_CASE("water acts in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) compare(wall_in_water(), shares, 4000);
 }
 
-TEST_CASE("blocks that are everywhere follow tables in shares as in the whole world", "[shares]") {
+TEST_CASE("blocks follow tables in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {1, 2, 3, 8}) compare(wall_in_earthquake(), shares, 8000);
 }
 

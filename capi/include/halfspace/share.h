@@ -12,13 +12,13 @@
  *  in the order of keys by its owner, and carried to the shares that have a copy.
  *
  *  Shares hold rigid and affine blocks, laws with springs and potential laws, water, applied forces, and
- *  actions on prescribed blocks and on all blocks. hs_world_assemble() refuses, by name: meshes, bonds of
- *  bond.h, compounds, bolts, servos and actions on free blocks, sleep, laws without springs, and worlds without
- *  a given time step. A share cannot be relaxed, and no block is added to it, removed or placed: join the shares
- *  first. Between steps it can be saved by hs_world_save() with its copies and keys, and restored in another
- *  run. Laws, gravity and damping may be changed between steps, alike in all shares, as may velocities and
- *  applied forces, alike in all shares that hold the block; then hs_world_begin() and hs_world_end_begin()
- *  follow. See docs/concepts/shares.md.
+ *  actions but for servos. hs_world_assemble() refuses, by name: meshes, bonds of bond.h, compounds, bolts,
+ *  servos, sleep, laws without springs, and worlds without a given time step. A share cannot be relaxed, and no
+ *  block or action is added to it or removed, and no block is placed: join the shares first. Between steps it
+ *  can be saved by hs_world_save() with its copies and keys, and restored in another run. Laws, gravity and
+ *  damping may be changed between steps, alike in all shares, as may velocities and applied forces, alike in
+ *  all shares that hold the block; then hs_world_begin() and hs_world_end_begin() follow. See
+ *  docs/concepts/shares.md.
  */
 #ifndef HALFSPACE_SHARE_H
 #define HALFSPACE_SHARE_H

@@ -273,12 +273,13 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
   const auto is_kind = [](ActionKind kind) {
     return kind >= ActionKind::velocity && kind <= ActionKind::servo;
   };
+  const auto names_block = [&](const Action<D>& action) {
+    return action.slot == -1 ||
+           (action.slot >= 0 && std::size_t(action.slot) < blocks.slot_count() &&
+            blocks.moves(std::size_t(action.slot)) && !blocks.is_of_mesh(std::size_t(action.slot)));
+  };
   const auto is_valid = [&](const Action<D>& action) {
-    const bool names_block =
-        action.slot == -1 ||
-        (action.slot >= 0 && std::size_t(action.slot) < blocks.slot_count() &&
-         blocks.moves(std::size_t(action.slot)) && !blocks.is_of_mesh(std::size_t(action.slot)));
-    return names_block && is_kind(action.kind) && action.table >= 0 && action.table < tables_.count() &&
+    return is_kind(action.kind) && action.table >= 0 && action.table < tables_.count() &&
            action.place >= ForcePlace::centroid && action.place <= ForcePlace::fixed &&
            is_finite(action.start) && is_nonnegative(action.max_speed) && is_finite(action.drift) &&
            action.scale.allFinite() && action.point.allFinite();
@@ -295,7 +296,9 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
     return std::all_of(nodes_.begin() + std::exchange(first, action.end), nodes_.begin() + action.end,
                        [&](std::int32_t node) { return node >= 0 && node < body.node_count; });
   };
-  return tables_.is_consistent() && all(actions_, is_valid) && all(node_actions_, is_valid_on_nodes) &&
+  const auto is_valid_of_key = [&](const ActionOfKey<D>& one) { return is_valid(one.action); };
+  return tables_.is_consistent() && all(actions_, names_block) && all(actions_, is_valid) &&
+         all(of_keys_, is_valid_of_key) && all(node_actions_, is_valid_on_nodes) &&
          std::size_t(first) == nodes_.size() && scales_.size() == nodes_.size() &&
          all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(motion_.time) &&
          is_nonnegative(motion_.duration);

@@ -42,6 +42,13 @@ struct Action {
   Vector<3> point = Vector<3>::Zero();  // carried: in the frame of the shape; fixed: in space
 };
 
+/// An action with the key of its block in all shares of a world.
+template <int D>
+struct ActionOfKey {
+  std::int64_t key = 0;
+  Action<D> action;
+};
+
 /// The same for nodes of a body, each with a scale of its own.
 struct NodeAction {
   std::int32_t body = -1;
@@ -94,13 +101,14 @@ class Actions {
         node_actions_(memory),
         nodes_(memory),
         scales_(memory),
+        of_keys_(memory),
         means_(memory),
         targets_(memory),
         target_of_(memory),
         node_velocities_(memory),
         node_loads_(memory) {}
 
-  bool empty() const { return actions_.empty() && node_actions_.empty(); }
+  bool empty() const { return actions_.empty() && node_actions_.empty() && of_keys_.empty(); }
   /// Does a condition hold for any action on blocks?
   template <class Condition>
   bool any(Condition condition) const {
@@ -179,17 +187,24 @@ class Actions {
     if (is_renewed_) renew(blocks);  // else loads have not changed since
   }
 
-  /// Takes over the actions of another world. `slot_of(slot)`: of the same block here; -1: it is not here.
-  /// Call renew() afterwards.
-  template <class SlotOf>
-  void take_over(const Actions& other, SlotOf slot_of) {
+  /// Takes over the actions of another world, those on blocks that are here; a share keeps the others, too,
+  /// as their blocks may come. Call renew() afterwards. `key_of(slot)`: of a block there. `slot_of(key)`: of
+  /// a block here; -1: it is not here.
+  template <class KeyOf, class SlotOf>
+  void take_over(const Actions& other, KeyOf key_of, SlotOf slot_of, bool is_whole) {
     tables_ = other.tables_;
     motion_ = other.motion_;
-    for (Action<D> action : other.actions_) {
+    of_keys_ = other.of_keys_;
+    if (of_keys_.empty()) {
+      for (const Action<D>& action : other.actions_)
+        of_keys_.push_back({action.slot < 0 ? 0 : key_of(action.slot), action});
+    }
+    for (auto [key, action] : of_keys_) {
       const bool is_on_all = action.slot < 0;
-      if (!is_on_all) action.slot = slot_of(action.slot);
+      if (!is_on_all) action.slot = slot_of(key);
       if (is_on_all || action.slot >= 0) actions_.push_back(action);
     }
+    if (is_whole) of_keys_.clear();
   }
 
   /// Validates the state read from a snapshot.
@@ -197,7 +212,7 @@ class Actions {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(tables_, actions_, node_actions_, nodes_, scales_, motion_.time, motion_.duration);
+    archive(tables_, actions_, node_actions_, nodes_, scales_, motion_.time, motion_.duration, of_keys_);
   }
 
  private:
@@ -230,6 +245,7 @@ class Actions {
   Array<std::int32_t> nodes_;  // of node actions, by their number in the body
   Array<Vector<D>> scales_;    // likewise
   Motion motion_;
+  Array<ActionOfKey<D>> of_keys_;  // in a share, the actions of the whole world
   // Derived from the above and from the last predicted motion.
   Array<Vector<3>> means_;  // of each action on blocks
   Array<Target> targets_;

@@ -43,6 +43,7 @@ double Integrator<D>::power_of_jumps() const {
   double power = meshes_.power_of_jumps();
   for (const auto& target : model_.actions.targets()) {
     const std::size_t i = std::size_t(target.slot);
+    if (share_.is_copy(i)) continue;  // its owner counts its work
     if (blocks_.kind[i] == BlockKind::prescribed) {
       power -= target.velocity.power_of_jump(blocks_.force[i]) + target.spin.power_of_jump(blocks_.torque[i]);
     } else {

@@ -187,15 +187,13 @@ void World<D>::take_pairs(const World<D>& from, const CarriedPairs<D>& pairs) {
   share_.note_missing(pairs.missing);
 }
 
-/// Motions of blocks that are everywhere, and accelerations of all blocks.
+/// Motions and loads in time.
 template <int D>
 void World<D>::take_actions(const World<D>& from) {
-  if (from.model_.actions.empty()) return;
-  const auto slot_of = [&](std::int32_t slot) {
-    return living_slot_of(from.share_.key_of(std::size_t(slot)));
-  };
-  model_.actions.take_over(from.model_.actions, slot_of);
-  model_.actions.renew(model_.blocks);
+  const auto key_of = [&](std::int32_t slot) { return from.share_.key_of(std::size_t(slot)); };
+  const auto slot_of = [&](std::int64_t key) { return living_slot_of(key); };
+  model_.actions.take_over(from.model_.actions, key_of, slot_of, share_.is_whole());
+  if (!model_.actions.empty()) model_.actions.renew(model_.blocks);
 }
 
 /// Contacts, their forces and division plans.
