@@ -121,7 +121,6 @@ class NeighborList {
   void add_entry(const ListEntry<D>& entry, bool with_gradients);
   void add_pair(const Candidate<D>& pair, const ShearSpring<D>& shear, bool with_shear);
   void end_taking_over(const NeighborList& from);
-  bool has_gradients() const { return !reference_gradient_.empty(); }
 
   /// Removes the pairs of a removed block.
   void forget(std::int32_t slot);
