@@ -95,6 +95,7 @@ class ContactList {
     without_plan_[first_of_chunk + sums.without_plan++] = std::uint32_t(k);
   }
   std::span<const std::uint32_t> without_plan_in(std::size_t chunk, const PairSums& sums) const {
+    if (sums.without_plan == 0) return {};  // there is no array without potential laws in 3D
     return {without_plan_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.without_plan};
   }
   /// The pairs of a chunk that have met, in ascending order.
