@@ -30,6 +30,17 @@ void require_one_per_block(const Blocks<D>& blocks, const hs_view& view, const c
   }
 }
 
+/// The same for vectors with angular ones beside them, which may be left out. @return are these given?
+template <int D>
+bool require_one_per_block(const Blocks<D>& blocks, const hs_view& vectors, const char* name,
+                           const hs_view& angulars, const char* name_of_angulars) {
+  require_view<D>(vectors, name);
+  require_angular_view<D>(angulars, name_of_angulars);
+  require_one_per_block(blocks, vectors, name);
+  if (angulars.count > 0) require_one_per_block(blocks, angulars, name_of_angulars);
+  return angulars.count > 0;
+}
+
 }  // namespace
 
 hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t capacity, int64_t* count) {
@@ -161,11 +172,8 @@ hs_status hs_world_get_velocities(const hs_world* world, hs_mutable_view velocit
 
 hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view angular_velocities) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_view<D>(velocities, "velocities");
-    require_angular_view<D>(angular_velocities, "angular_velocities");
-    require_one_per_block(w.blocks(), velocities, "velocities");
-    const bool with_turns = angular_velocities.count > 0;
-    if (with_turns) require_one_per_block(w.blocks(), angular_velocities, "angular_velocities");
+    const bool with_turns =
+        require_one_per_block(w.blocks(), velocities, "velocities", angular_velocities, "angular_velocities");
     const auto for_each_velocity = [&](auto use) {
       for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
         const Vector<D> velocity = read_finite_point<D>(velocities, i, "velocities");
@@ -190,11 +198,7 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
 
 hs_status hs_world_set_applied_forces(hs_world* world, hs_view forces, hs_view torques) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_view<D>(forces, "forces");
-    require_angular_view<D>(torques, "torques");
-    require_one_per_block(w.blocks(), forces, "forces");
-    const bool with_torques = torques.count > 0;
-    if (with_torques) require_one_per_block(w.blocks(), torques, "torques");
+    const bool with_torques = require_one_per_block(w.blocks(), forces, "forces", torques, "torques");
     const auto for_each_force = [&](auto use) {
       for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {
         const Vector<D> force = read_finite_point<D>(forces, i, "forces");

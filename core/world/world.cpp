@@ -186,20 +186,6 @@ template <int D>
   return is_loaded;
 }
 
-/// The forces that wait for new division plans, in order: all pairs share the memory of plans.
-template <int D>
-void World<D>::load_without_plan(typename ForcePass<D>::Evaluation common) {
-  common.makes_plans = true;
-  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
-    PairSums& sums = sums_[chunk];
-    for (const std::uint32_t k : contacts_.without_plan_in(chunk, sums)) {
-      typename ForcePass<D>::Evaluation evaluation = common;
-      load_pair(k, {}, evaluation);
-      sums.energy.add(evaluation.energy);
-    }
-  }
-}
-
 /// Finds the contacts in the same pass, unless they are known.
 template <int D>
 void World<D>::evaluate_forces(double elapsed) {
@@ -227,15 +213,20 @@ void World<D>::evaluate_forces(double elapsed) {
     sums.energy = evaluation.energy;
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
   });
-  load_without_plan(common);
+  // In order, as new division plans share their memory.
+  const auto load_in_order = [&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
+    typename ForcePass<D>::Evaluation evaluation = common;
+    evaluation.makes_plans = true;
+    load_pair(k, contact, evaluation);
+    sums.energy.add(evaluation.energy);
+    sums.last_block = std::max(sums.last_block, evaluation.last_block);
+  };
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    for (const std::uint32_t k : contacts_.without_plan_in(chunk, sums_[chunk]))
+      load_in_order(k, {}, sums_[chunk]);
+  }
   if (!are_found) {
-    take_in_met([&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
-      typename ForcePass<D>::Evaluation evaluation = common;
-      evaluation.makes_plans = true;
-      load_pair(k, contact, evaluation);
-      sums.energy.add(evaluation.energy);
-      sums.last_block = std::max(sums.last_block, evaluation.last_block);
-    });
+    take_in_met(load_in_order);
     end_finding();
   }
   lap(Pass::pairs);

@@ -42,6 +42,13 @@ inline void require_ok(hs_status status, const hs_context* context) {
     throw std::runtime_error(std::string(hs_status_string(status)) + ": " + hs_context_last_error(context));
 }
 
+inline hs_context_def with_threads(std::int32_t threads) {
+  hs_context_def def;
+  if (hs_context_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no defaults");
+  def.threads = threads;
+  return def;
+}
+
 inline Context make_context(const hs_context_def* def = nullptr) {
   hs_context* context = nullptr;
   if (hs_context_create(def, &context) != HS_OK) throw std::runtime_error("no context");

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 #include "capi/mesh_words.h"
@@ -17,9 +16,7 @@ using Bytes = std::vector<unsigned char>;
 /// A damped body of some thousand cells that shakes, of two kinds of cells where they fit; then some cells
 /// go, and the world goes on from a snapshot.
 Bytes after_shaking(std::int32_t threads, int dimension, std::int32_t kind, std::int32_t beside) {
-  hs_context_def context_def;
-  if (hs_context_def_init(&context_def, sizeof context_def) != HS_OK) throw std::runtime_error("no defaults");
-  context_def.threads = threads;
+  const hs_context_def context_def = with_threads(threads);
   const Context context = make_context(&context_def);
   hs_world_def def = world_def();
   def.dimension = dimension;

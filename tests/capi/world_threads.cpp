@@ -55,13 +55,6 @@ Bytes after_steps(const hs_context_def& context_def, const Kind& kind, std::int6
   return saved(world.get());
 }
 
-hs_context_def with_threads(std::int32_t threads) {
-  hs_context_def def;
-  if (hs_context_def_init(&def, sizeof def) != HS_OK) throw std::runtime_error("no defaults");
-  def.threads = threads;
-  return def;
-}
-
 /// All tasks by the C++ library, from the last to the first.
 void run_by_host(hs_task* task, std::int32_t count, void* calls) {
   ++*static_cast<int*>(calls);

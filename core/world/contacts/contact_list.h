@@ -95,12 +95,11 @@ class ContactList {
     without_plan_[first_of_chunk + sums.without_plan++] = std::uint32_t(k);
   }
   std::span<const std::uint32_t> without_plan_in(std::size_t chunk, const PairSums& sums) const {
-    if (sums.without_plan == 0) return {};  // there is no array without potential laws in 3D
-    return {without_plan_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.without_plan};
+    return part_of(without_plan_, chunk, sums.without_plan);
   }
   /// The pairs of a chunk that have met, in ascending order.
   std::span<const std::uint32_t> met_in(std::size_t chunk, const PairSums& sums) const {
-    return {met_in_chunks_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.met};
+    return part_of(met_in_chunks_, chunk, sums.met);
   }
   /// True for a pair that was in contact at its last detection, or is bonded.
   static bool was_in_contact(const Candidate<D>& pair) {
@@ -191,6 +190,12 @@ class ContactList {
   }
 
  private:
+  /// The first pairs of a chunk's range. Without any the array may be empty.
+  static std::span<const std::uint32_t> part_of(const Array<std::uint32_t>& in_chunks, std::size_t chunk,
+                                                std::size_t count) {
+    if (count == 0) return {};
+    return {in_chunks.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), count};
+  }
   void release_shear(std::size_t k, PairSums& sums);
   std::optional<std::size_t> pair_between(std::int32_t a, std::int32_t b) const;
   /// False for potential laws in 3D, which compute contacts only at the first detection.

@@ -15,7 +15,7 @@ ElementSums ElementPass<D>::sum_over_elements(OfElement of_element) {
       for (const Element<D, N>& element : elements) all.add(of_element(element, 0));
       return;
     }
-    for_each_chunk(threads_, elements.size(), elements_per_chunk, [&](const Chunk& chunk) {
+    for_each_chunk(threads_, elements.size(), cells_per_chunk, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i)
         each_[first_element + i] = of_element(elements[i], first_force + i * N);
     });

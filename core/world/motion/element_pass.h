@@ -7,16 +7,19 @@
 
 namespace halfspace {
 
-/// What an element adds to the ledger, and its strain.
+/// The energy or power of an element, and its strain. Of several elements: the sum, and the largest strain.
 struct ElementSums {
-  double amount = 0;          // an energy or a power
-  double squared_strain = 0;  // the largest
+  double amount = 0;
+  double squared_strain = 0;
 
   void add(const ElementSums& other) {
     amount += other.amount;
     squared_strain = std::max(squared_strain, other.squared_strain);
   }
 };
+
+/// Elements, surface cells and nodes that a worker processes at a time.
+constexpr std::size_t cells_per_chunk = 64, nodes_per_chunk = 256;
 
 /// Computes the forces of elements on nodes. On several threads each element writes its own forces; then each
 /// node adds up those of its elements, in ascending order, as one thread does. So the sums have the same bits
@@ -45,8 +48,6 @@ class ElementPass {
   void fit_room();
 
  private:
-  static constexpr std::size_t elements_per_chunk = 64, nodes_per_chunk = 256;
-
   bool is_shared() const { return worker_count(threads_) > 1; }
   template <class OfElement>
   ElementSums sum_over_elements(OfElement of_element);
@@ -56,7 +57,7 @@ class ElementPass {
   Model<D>& model_;
   Meshes<D>& meshes_;
   Threads* threads_;
-  // Of several threads only.
+  // These arrays are empty in a world of one thread.
   Array<Vector<D>> forces_;             // of all elements on each of their nodes
   Array<ElementSums> each_;             // per element
   Array<std::uint32_t> by_node_;        // indices of forces, by node, ascending

@@ -91,7 +91,6 @@ class MeshMotion {
   }
 
  private:
-  static constexpr std::size_t nodes_per_chunk = 256, cells_per_chunk = 64;
   using CornerLoads = Eigen::Matrix<double, D, D + 1>;
 
   template <class Visit>

@@ -222,7 +222,7 @@ void World<D>::load_everywhere() {
   if (!forces_.are_known()) return;
   const auto is_everywhere = [&](std::int32_t slot) { return !blocks.moves_freely(std::size_t(slot)); };
   for (std::size_t i = 0; i < blocks.slot_count(); ++i)
-    if (!blocks.moves_freely(i)) forces_.set_load(i, Vector<D>::Zero(), Angular<D>::Zero());
+    if (is_everywhere(std::int32_t(i))) forces_.set_load(i, Vector<D>::Zero(), Angular<D>::Zero());
   const auto add = [&](std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
     const std::size_t i = std::size_t(slot);
     forces_.set_load(i, blocks.force[i] + force, blocks.torque[i] + torque);
