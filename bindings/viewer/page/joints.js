@@ -94,7 +94,7 @@ function* overlappingPairs(boxes) {
 /** A side of a block: its corners, its outward normal, and the vertices by which its points are placed. */
 function sideOf(block, loop, vertices) {
   const points = Array.from(loop, (vertex) => vertices[vertex]), base = widestCorners(points);
-  return {block, points, normal: points.length > 2 ? normalOfLoop(points).normalize() : normalOfSide(points),
+  return {block, points, normal: normalOfSide(points),
     base: base.map((corner) => loop[corner]), origins: base.map((corner) => points[corner])};
 }
 

@@ -268,7 +268,7 @@ class OpenJoints(ViewerTest):
 
 
 class SpaceTest(ViewerTest):
-    """What pages in space share."""
+    """The parts that pages in space share."""
 
     def pixel_of(self, point):
         """From the view: a perspective camera above the horizon, z up."""

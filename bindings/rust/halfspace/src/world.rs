@@ -81,7 +81,7 @@ pub struct World {
     owner: Arc<Owner>,
     /// Cached, so that checks of array lengths are cheap.
     pub(crate) block_count: usize,
-    /// Of a row of loads, cached likewise; `None` before the first and after a change of materials.
+    /// The length of a row of loads, cached likewise; `None` before the first and after a change of materials.
     pub(crate) load_length: Option<usize>,
 }
 
