@@ -17,8 +17,8 @@ enum class Varied { tilt, loads, setting };
 
 struct LimitOptions {
   Varied varied = Varied::tilt;
-  /// Of a tilt: its axis x, y, z, -x, -y or -z; empty: z in 2D, x in 3D. Of loads: their group, mesh or
-  /// mesh/group; empty: all. Of a setting: its key.
+  /// The axis of a tilt: x, y, z, -x, -y or -z; empty: z in 2D, x in 3D. Or the group, mesh or mesh/group of
+  /// loads; empty: all. Or the key of a setting.
   std::string name = {};
   std::optional<double> low,
       high;               ///< the bracket; required for a setting, else 0 to 90 degrees or a factor of 10

@@ -27,13 +27,7 @@ bool has_waters_between(const std::optional<Water>& before, const std::optional<
 
 }  // namespace
 
-std::string Model::snapshot() const {
-  std::size_t count = 0;
-  require(context_, hs_world_save(world_.get(), nullptr, 0, &count));
-  std::string bytes(count, '\0');
-  require(context_, hs_world_save(world_.get(), bytes.data(), bytes.size(), &count));
-  return bytes;
-}
+std::string Model::snapshot() const { return snapshot_of(context_, world_.get()); }
 
 void Model::add_to(Archive& archive) {
   std::string world = archive.reads() ? std::string() : snapshot();
@@ -49,9 +43,7 @@ void Model::add_to(Archive& archive) {
 }
 
 void Model::restore(const std::string& world) {
-  hs_world* restored = nullptr;
-  require(context_, hs_world_restore(context_.get(), world.data(), world.size(), &restored));
-  world_.reset(restored);
+  world_ = restored(context_, world);
   if (!has_parts_of_layout()) throw std::runtime_error("its blocks, meshes or bonds differ");
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     if (is_excavated(body)) bodies_[body] = 0;

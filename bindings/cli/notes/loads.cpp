@@ -7,23 +7,14 @@
 #include <map>
 #include <utility>
 
-#include "common/vector.h"
+#include "common/box.h"
 
 namespace halfspace::cli {
 namespace {
 
 /// The extent of a block along two horizontal axes and the vertical one.
-struct Box {
-  Point low{INFINITY, INFINITY, INFINITY};
-  Point high{-INFINITY, -INFINITY, -INFINITY};
+struct Extent : Box {
   double middle = 0;  ///< height of the centroid
-
-  void add(const Point& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
 };
 
 /// Two horizontal axes and the vertical one.
@@ -35,11 +26,11 @@ std::array<Point, 3> axes_of(const Point& gravity) {
   return {first, cross(up, first), up};
 }
 
-Box box_of(const BlockFrame& block, const std::array<Point, 3>& axes) {
+Extent extent_of(const BlockFrame& block, const std::array<Point, 3>& axes) {
   const auto along_axes = [&](const Point& p) {
     return Point{dot(axes[0], p), dot(axes[1], p), dot(axes[2], p)};
   };
-  Box box;
+  Extent box;
   for (const Point& p : block.vertices) box.add(along_axes(p));
   box.middle = along_axes(point_of(block.state.pose.position))[2];
   return box;
@@ -50,10 +41,10 @@ class Columns {
  public:
   explicit Columns(double width) : width_(width) {}
 
-  void add(const Box& box, double weight) {
+  void add(const Extent& box, double weight) {
     each(box, [&](double& column, double, double fraction_of_box) { column += weight * fraction_of_box; });
   }
-  double above(const Box& box) {
+  double above(const Extent& box) {
     double weight = 0;
     each(box,
          [&](double& column, double fraction_of_column, double) { weight += column * fraction_of_column; });
@@ -82,7 +73,7 @@ class Columns {
   }
 
   template <class Do>
-  void each(const Box& box, Do what) {
+  void each(const Extent& box, Do what) {
     const std::vector<Part> across = parts(box.low[1], box.high[1]);
     for (const Part& i : parts(box.low[0], box.high[0])) {
       for (const Part& j : across)
@@ -96,10 +87,10 @@ class Columns {
 
 /// A quarter of the mean width of blocks; at most `max_across` columns per block, and no width below the
 /// rounding of the farthest coordinate.
-double width_of_columns(const std::vector<Box>& boxes) {
+double width_of_columns(const std::vector<Extent>& boxes) {
   constexpr double max_across = 64;
   double sum = 0, largest = 0, farthest = 0;
-  for (const Box& box : boxes) {
+  for (const Extent& box : boxes) {
     const double width = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
     sum += width;
     largest = std::max(largest, width);
@@ -127,10 +118,10 @@ std::vector<double> loads_of(const Frame& frame, const Point& gravity) {
     bool is_query;
     std::size_t index;
   };
-  std::vector<Box> boxes;
+  std::vector<Extent> boxes;
   std::vector<Event> events;
   for (const std::size_t i : free) {
-    boxes.push_back(box_of(frame.blocks[i], axes_of(gravity)));
+    boxes.push_back(extent_of(frame.blocks[i], axes_of(gravity)));
     events.push_back({boxes.back().middle, true, boxes.size() - 1});
     events.push_back({boxes.back().low[2], false, boxes.size() - 1});
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "common/box.h"
 #include "common/text.h"
 #include "common/vector.h"
 
@@ -18,11 +19,10 @@ struct Side {
   Point normal{};  ///< outwards, of unit length
 };
 
-struct Box {
+struct BlockBox : Box {
   std::size_t block = 0;
-  Point low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
 
-  double size() const { return length(minus(high, low)); }
+  double size() const { return length(sides()); }
   bool meets(const Box& other, double margin) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (low[axis] > other.high[axis] + margin || other.low[axis] > high[axis] + margin) return false;
@@ -32,16 +32,7 @@ struct Box {
 
 constexpr double max_distance = 0.01;  ///< of common faces, over the size of the smaller block
 
-Box box_around(std::size_t block, const BlockFrame& frame) {
-  Box box{.block = block};
-  for (const Point& p : frame.vertices) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], p[axis]);
-      box.high[axis] = std::max(box.high[axis], p[axis]);
-    }
-  }
-  return box;
-}
+BlockBox box_around(std::size_t block, const BlockFrame& frame) { return {box_of(frame.vertices), block}; }
 
 std::vector<Side> sides_of_block(const Layout& layout, std::size_t block, const Frame& frame) {
   std::vector<Side> sides;
@@ -92,7 +83,7 @@ double size_of_part(const std::vector<Point>& corners) {
 }
 
 /// Adds the largest common part of the sides of two blocks, if there is any.
-void add_joint(const Layout& layout, const Frame& start, const Box& a, const Box& b,
+void add_joint(const Layout& layout, const Frame& start, const BlockBox& a, const BlockBox& b,
                std::vector<Joint>& joints) {
   const double size = std::min(a.size(), b.size());
   const double parallel = std::cos(std::numbers::pi / 180);
@@ -159,18 +150,19 @@ void add_components(std::string& row, const Point& values, int count) {
 }  // namespace
 
 std::vector<Joint> joints_of(const Layout& layout, const Frame& start) {
-  std::vector<Box> boxes;
+  std::vector<BlockBox> boxes;
   for (std::size_t i = 0; i < start.blocks.size(); ++i)
     if (!is_removed(start.blocks[i]) && !deforms(layout.blocks[i].kind))
       boxes.push_back(box_around(i, start.blocks[i]));
-  std::sort(boxes.begin(), boxes.end(), [](const Box& p, const Box& q) { return p.low[0] < q.low[0]; });
+  std::sort(boxes.begin(), boxes.end(),
+            [](const BlockBox& p, const BlockBox& q) { return p.low[0] < q.low[0]; });
   double margin = 0;
-  for (const Box& box : boxes) margin = std::max(margin, max_distance * box.size());
+  for (const BlockBox& box : boxes) margin = std::max(margin, max_distance * box.size());
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low[0] <= boxes[i].high[0] + margin; ++k) {
-      const auto& [first, second] =
-          std::minmax(boxes[i], boxes[k], [](const Box& p, const Box& q) { return p.block < q.block; });
+      const auto& [first, second] = std::minmax(
+          boxes[i], boxes[k], [](const BlockBox& p, const BlockBox& q) { return p.block < q.block; });
       const bool is_free =
           moves_freely(layout.blocks[first.block].kind) || moves_freely(layout.blocks[second.block].kind);
       if (is_free && first.meets(second, max_distance * std::min(first.size(), second.size())))

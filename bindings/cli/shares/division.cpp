@@ -1,8 +1,11 @@
 #include "shares/division.h"
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 #include <tuple>
+
+#include "common/box.h"
 
 namespace halfspace::cli {
 namespace {
@@ -27,19 +30,6 @@ void divide(const std::vector<Point>& points, std::span<std::size_t> indices, st
 }
 
 }  // namespace
-
-void Box::add(const Point& point) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], point[k]);
-    high[k] = std::max(high[k], point[k]);
-  }
-}
-
-double Box::distance(const Point& point) const {
-  Point outside{};
-  for (std::size_t k = 0; k < 3; ++k) outside[k] = std::max({low[k] - point[k], 0.0, point[k] - high[k]});
-  return length(outside);
-}
 
 std::vector<std::vector<std::size_t>> bisect(const std::vector<Point>& points, std::size_t parts) {
   std::vector<std::size_t> indices(points.size());

@@ -54,18 +54,4 @@ World assembled(const Context& context, hs_world* from, std::vector<hs_packed> b
   return World(made);
 }
 
-std::string snapshot_of(const Context& context, const hs_world* world) {
-  std::size_t size = 0;
-  require(context, hs_world_save(world, nullptr, 0, &size));
-  std::string bytes(size, '\0');
-  require(context, hs_world_save(world, bytes.data(), size, &size));
-  return bytes;
-}
-
-World restored(const Context& context, const std::string& snapshot) {
-  hs_world* world = nullptr;
-  require(context, hs_world_restore(context.get(), snapshot.data(), snapshot.size(), &world));
-  return World(world);
-}
-
 }  // namespace halfspace::cli

@@ -39,8 +39,4 @@ void add_present(std::vector<hs_packed>& blocks, const std::vector<std::int64_t>
 /// A world of these blocks, in any order. @throws LibraryError
 World assembled(const Context& context, hs_world* from, std::vector<hs_packed> blocks);
 
-/// @throws LibraryError
-std::string snapshot_of(const Context& context, const hs_world* world);
-World restored(const Context& context, const std::string& snapshot);
-
 }  // namespace halfspace::cli

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/box.h"
 #include "shares/division.h"
 #include "shares/shared_blocks.h"
 

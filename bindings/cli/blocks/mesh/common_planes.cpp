@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/box.h"
 #include "common/vector.h"
 
 namespace halfspace::cli {
@@ -19,10 +20,9 @@ struct Face {
   double radius = 0;  // inner_radius() of the corners
 };
 
-struct Box {
+/// The box of a block, larger by the tolerance of its planes.
+struct Reach : Box {
   std::size_t block;
-  Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Point high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 };
 
 double distance(const HalfSpace& plane, const Point& p) { return dot(plane.normal, p) - plane.offset; }
@@ -133,31 +133,29 @@ class Joints {
     const std::vector<Point> vertices = vertices_of(context_, shape);
     const std::vector<HalfSpace> planes = halfspaces_of(context_, shape);
     const std::vector<std::vector<int>> loops = faces_of(context_, shape);
-    Box box{block};
+    Box box;
     first_.push_back(faces_.size());
     for (std::size_t f = 0; f < planes.size(); ++f) {
       Face face{block, planes[f], {}};
       for (const int v : loops[f]) face.corners.push_back(vertices[static_cast<std::size_t>(v)]);
       face.plane.offset += dot(face.plane.normal, centroid);
-      for (const Point& p : face.corners) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          box.low[axis] = std::min(box.low[axis], p[axis] - blocks_[block].tolerance);
-          box.high[axis] = std::max(box.high[axis], p[axis] + blocks_[block].tolerance);
-        }
-      }
+      for (const Point& p : face.corners) box.add(p);
       face.radius = inner_radius(face.corners);
       faces_.push_back(std::move(face));
     }
-    boxes_.push_back(box);
+    const double tolerance = blocks_[block].tolerance;
+    const Point margin{tolerance, tolerance, tolerance};
+    boxes_.push_back({{minus(box.low, margin), plus(box.high, margin)}, block});
   }
 
   /// Sorts boxes along x, and sweeps over them.
   void find_joints() {
-    std::sort(boxes_.begin(), boxes_.end(), [](const Box& a, const Box& b) { return a.low[0] < b.low[0]; });
+    std::sort(boxes_.begin(), boxes_.end(),
+              [](const Reach& a, const Reach& b) { return a.low[0] < b.low[0]; });
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      const Box& a = boxes_[i];
+      const Reach& a = boxes_[i];
       for (std::size_t j = i + 1; j < boxes_.size() && boxes_[j].low[0] <= a.high[0]; ++j) {
-        const Box& b = boxes_[j];
+        const Reach& b = boxes_[j];
         if (b.low[1] <= a.high[1] && a.low[1] <= b.high[1] && b.low[2] <= a.high[2] && a.low[2] <= b.high[2])
           join_faces(a.block, b.block);
       }
@@ -212,7 +210,7 @@ class Joints {
 
   const Context& context_;
   std::vector<ConvexSolid>& blocks_;
-  std::vector<Box> boxes_;
+  std::vector<Reach> boxes_;
   std::vector<Face> faces_;
   std::vector<std::size_t> first_;    // of a block's faces
   std::vector<std::size_t> join_of_;  // a face of the same joint, itself at the root

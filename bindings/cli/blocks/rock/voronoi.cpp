@@ -6,29 +6,12 @@
 #include <utility>
 #include <voro++/voro++.hh>
 
+#include "common/box.h"
 #include "common/random.h"
 #include "common/vector.h"
 
 namespace halfspace::cli {
 namespace {
-
-struct Bounds {
-  Point low{INFINITY, INFINITY, INFINITY};
-  Point high{-INFINITY, -INFINITY, -INFINITY};
-
-  double length(std::size_t axis) const { return high[axis] - low[axis]; }
-};
-
-Bounds bounds_of(const std::vector<Point>& points) {
-  Bounds bounds;
-  for (const Point& p : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.low[axis] = std::min(bounds.low[axis], p[axis]);
-      bounds.high[axis] = std::max(bounds.high[axis], p[axis]);
-    }
-  }
-  return bounds;
-}
 
 /// The region nearer to a site than to its neighbours.
 Shape cell_of(const Context& context, const Shape& region, const std::vector<Point>& sites, std::size_t site,
@@ -67,7 +50,7 @@ std::vector<Point> along_curve(const Context& context, const std::vector<Point>&
 
 std::vector<Point> random_sites(const Context& context, const Shape& region, std::int64_t count,
                                 std::uint64_t seed) {
-  const Bounds bounds = bounds_of(vertices_of(context, region));
+  const Box bounds = box_of(vertices_of(context, region));
   const std::vector<HalfSpace> halfspaces = halfspaces_of(context, region);
   const Point centroid = point_of(properties_of(context, region).centroid);
   const auto is_inside = [&](const Point& p) {
@@ -80,7 +63,7 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
   while (static_cast<std::int64_t>(sites.size()) < count) {
     Point p;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = bounds.low[axis] + bounds.length(axis) * random.uniform();
+      p[axis] = bounds.low[axis] + bounds.sides()[axis] * random.uniform();
     if (is_inside(p)) sites.push_back(p);
   }
   return along_curve(context, sites);
@@ -88,8 +71,9 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
 
 std::vector<std::vector<int>> neighbouring_sites(const std::vector<Point>& sites,
                                                  const std::vector<Point>& around) {
-  const Bounds bounds = bounds_of(around);
-  const double longest = std::max({bounds.length(0), bounds.length(1), bounds.length(2)});
+  const Box bounds = box_of(around);
+  const Point sides = bounds.sides();
+  const double longest = std::max({sides[0], sides[1], sides[2]});
 
   // Voro++ has absolute tolerances, so the sites are scaled to a box of about unit size, with a margin so
   // that none lies on a side.
@@ -97,9 +81,9 @@ std::vector<std::vector<int>> neighbouring_sites(const std::vector<Point>& sites
   const auto number_of_bins = [&](std::size_t axis) {
     constexpr double sites_in_bin = 6;  // as its manual advises
     const double even = std::cbrt(static_cast<double>(sites.size()) / sites_in_bin);
-    return std::max(1, static_cast<int>(even * bounds.length(axis) / longest));
+    return std::max(1, static_cast<int>(even * sides[axis] / longest));
   };
-  const auto upper = [&](std::size_t axis) { return bounds.length(axis) / longest + margin; };
+  const auto upper = [&](std::size_t axis) { return sides[axis] / longest + margin; };
   voro::container container(-margin, upper(0), -margin, upper(1), -margin, upper(2), number_of_bins(0),
                             number_of_bins(1), number_of_bins(2), false, false, false, 8);
   for (std::size_t i = 0; i < sites.size(); ++i) {
