@@ -52,10 +52,32 @@ Settled settled(int dimension, const Bodies& start, const hs_law_def& law, doubl
           BodyScene(dimension, def_of(dimension, 0, 0), law, bodies).report().stable_time_step};
 }
 
-/// Makes a world of them anew and runs it at a share of its stable step. Returns what mechanical energy it
-/// has gained, over what its springs held.
-double gained(const Settled& scene_of, double share) {
-  constexpr int steps = 2000;
+bool is_plane_of_a(const hs_contact& contact) { return contact.pair_kind == HS_PAIR_FACE_VERTEX; }
+bool is_plane_of_b(const hs_contact& contact) { return contact.pair_kind == HS_PAIR_VERTEX_FACE; }
+
+bool has_same_plane(const hs_contact& x, const hs_contact& y) {
+  return x.type == y.type && x.pair_kind == y.pair_kind && (is_plane_of_b(x) || x.feature_a == y.feature_a) &&
+         (is_plane_of_a(x) || x.feature_b == y.feature_b);
+}
+
+/// A contact that goes on by another plane or as another type.
+bool has_jump(const std::vector<hs_contact>& before, const std::vector<hs_contact>& after) {
+  return std::any_of(after.begin(), after.end(), [&](const hs_contact& now) {
+    const auto then = std::find_if(before.begin(), before.end(), [&](const hs_contact& contact) {
+      return contact.block_a == now.block_a && contact.block_b == now.block_b;
+    });
+    return then != before.end() && !has_same_plane(*then, now);
+  });
+}
+
+/// The most mechanical energy gained, over what the springs held at first.
+struct Gain {
+  double by_steps = 0;  // without the steps in which a contact jumps
+  double in_all = 0;
+};
+
+/// Makes a world of them anew and runs it at a share of its stable step.
+Gain gained(const Settled& scene_of, double share) {
   const double time_step = share * scene_of.stable_time_step;
   BodyScene scene(scene_of.dimension, def_of(scene_of.dimension, time_step, 0), scene_of.law,
                   scene_of.bodies);
@@ -63,14 +85,26 @@ double gained(const Settled& scene_of, double share) {
   Random random(11);
   scene.shake(random, 0.02);
   scene.step(1);
-  const hs_energy before = scene.energy();
-  double most = 0;
-  for (int i = 0; i < 10; ++i) {
-    if (hs_world_step(scene.world(), steps / 10) != HS_OK) return HUGE_VAL;
-    most = std::max(most, mechanical(scene.energy()) - mechanical(before));
+  const hs_energy start = scene.energy();
+  const double held = start.strain + start.kinetic;
+  std::vector<hs_contact> contacts = scene.contacts();
+  double energy = mechanical(start), by_steps = 0;
+  Gain most;
+  for (int i = 0; i < 2000; ++i) {
+    if (hs_world_step(scene.world(), 1) != HS_OK) return {HUGE_VAL, HUGE_VAL};
+    const std::vector<hs_contact> before = std::exchange(contacts, scene.contacts());
+    const double last = std::exchange(energy, mechanical(scene.energy()));
+    if (!has_jump(before, contacts)) by_steps += energy - last;
+    most.by_steps = std::max(most.by_steps, by_steps / held);
+    most.in_all = std::max(most.in_all, (energy - mechanical(start)) / held);
   }
-  return most / (before.strain + before.kinetic);
+  return most;
 }
+
+/// The most that time steps may gain. Where the step is too large some of these scenes gain three times as
+/// much as their springs held, and more. Jumps are left out: springs per contact hold more energy as a point
+/// becomes an edge or a face, however small the step.
+constexpr double most_gained = 0.05;
 
 hs_law_def law_of(int32_t stiffness_kind, double stiffness, double damping) {
   hs_law_def law = stiffness_kind == HS_STIFFNESS_POTENTIAL ? potential_law(stiffness, 30 * degree, stiffness)
@@ -80,24 +114,21 @@ hs_law_def law_of(int32_t stiffness_kind, double stiffness, double damping) {
   return law;
 }
 
-/// Of what the springs hold. Friction on undamped springs feeds vibration a little, at any time step; where
-/// the step is too large some of these scenes gain three times as much and more.
-constexpr double most_gained = 0.05;
-
 TEST_CASE("no scene gains energy at 0.95 of the stable time step that it reports") {
   Random random(7);
   for (const int dimension : {2, 3}) {
     for (const int32_t kind : all_stiffness_kinds) {
-      double most = 0;
+      Gain most;
       for (const double damping : {0.0, 0.1}) {
         for (const double stiffness : {1e6, 1e7}) {  // the weight of a block is some 1e4 N
           const auto hunt = [&](const char* name, const Bodies& bodies, double settling_time) {
             const hs_law_def law = law_of(kind, stiffness, damping);
-            const double gain = gained(settled(dimension, bodies, law, settling_time), 0.95);
-            if (gain > most_gained)
+            const Gain gain = gained(settled(dimension, bodies, law, settling_time), 0.95);
+            if (gain.by_steps > most_gained)
               std::printf("%s in %dD, %s, damping %.1f, stiffness %.0e: gains %.2e\n", name, dimension,
-                          name_of_stiffness(kind), damping, stiffness, gain);
-            most = std::max(most, gain);
+                          name_of_stiffness(kind), damping, stiffness, gain.by_steps);
+            most.by_steps = std::max(most.by_steps, gain.by_steps);
+            most.in_all = std::max(most.in_all, gain.in_all);
           };
           hunt("pile", loose_pile(dimension, random), 5);
           hunt("pile", loose_pile(dimension, random), 5);
@@ -105,9 +136,11 @@ TEST_CASE("no scene gains energy at 0.95 of the stable time step that it reports
           hunt("wall", wall(dimension, 4), 4);
         }
       }
-      std::printf("hunt in %dD, %s: at 0.95 of the stable step at most %.1e of the springs' energy gained\n",
-                  dimension, name_of_stiffness(kind), most);
-      CHECK(most <= most_gained);
+      std::printf(
+          "hunt in %dD, %s: at 0.95 of the stable step at most %.0e of the springs' energy gained, %.0e "
+          "with jumps\n",
+          dimension, name_of_stiffness(kind), most.by_steps, most.in_all);
+      CHECK(most.by_steps <= most_gained);
     }
   }
 }
@@ -116,7 +149,7 @@ TEST_CASE("no scene gains energy at 0.95 of the stable time step that it reports
 /// unstable; at most 10.
 double breaking_share(const Settled& scene) {
   double share = 1;
-  while (share < 10 && gained(scene, share) <= most_gained) share *= 1.1;
+  while (share < 10 && gained(scene, share).by_steps <= most_gained) share *= 1.1;
   return share;
 }
 
