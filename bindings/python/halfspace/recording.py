@@ -4,7 +4,7 @@ import os
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
 from ._viewer import viewer_library, viewer_page
@@ -152,11 +152,13 @@ class Recording:
                 vertices = np.zeros((len(found), 3))
                 vertices[:, : world.dimension] = found
                 self._call("set_vertices", int(number), vertices.ctypes.data)
-        states = [world.state(blocks[i]) for i in places]
-        self._set("speed", "m/s", numbers, [float(np.linalg.norm(state.velocity)) for state in states])
-        spins = [float(np.linalg.norm(state.angular_velocity)) for state in states]
-        self._set("angular speed", "rad/s", numbers, spins)
-        self._set("contact force", "N", numbers, [float(np.linalg.norm(state.force)) for state in states])
+        states = world.states()[places]
+        for name, unit, vector in (
+            ("speed", "m/s", "velocity"),
+            ("angular speed", "rad/s", "angular_velocity"),
+            ("contact force", "N", "force"),
+        ):
+            self._set(name, unit, numbers, np.linalg.norm(states[vector], axis=1))
         deforming = [(number, blocks[i]) for i, number in zip(places, numbers) if self._deforms[blocks[i]]]
         if deforming:
             deformed = np.array([number for number, _ in deforming], np.int64)
@@ -166,7 +168,7 @@ class Recording:
                     values = [np.reshape(record[tensor], (3, 3))[row, column] for record in deformations]
                     self._set(f"{tensor} {name}", unit, deformed, values)
 
-    def _set(self, name: str, unit: str, numbers: NDArray[np.int64], values: Sequence[float]) -> None:
+    def _set(self, name: str, unit: str, numbers: NDArray[np.int64], values: ArrayLike) -> None:
         array = np.array(values, np.float64)
         self._call("set_values", name.encode(), unit.encode(), len(array), numbers.ctypes.data, array.ctypes.data)
 
