@@ -379,6 +379,16 @@ class UnusualScenes(unittest.TestCase):
         apart = edited(PILE, "friction_angle = 25", "friction_angle = 25\ncohesion = 1e5", "[[0, 0], [1, 0]", "[[0, 0.5], [1, 0.5]")
         self.assert_one(apart, r"law\[0\]: cohesion and tensile_strength act in contacts that exist at the start, and there is none")
 
+    def test_bolts_whose_stage_would_end_the_run(self):
+        stages = '[[stage]]\ndo = "run"\nduration = 0.1\n[[stage]]\ndo = "run"\nduration = 0.1\ninstall = ["late"]\n'
+        bolt = '[[bolt]]\nname = "late"\nfrom = [0.5, 0.5]\nto = [0.5, -0.5]\nstiffness = 1e6\n'
+        staged = edited(PILE, "duration = 1\n", "") + bolt + stages
+        self.assertEqual(self.notes(staged), [])
+        self.assert_one(edited(staged, "to = [0.5, -0.5]", "to = [0.5, -1.5]"),
+                        r"bolt\[0\]\.to: \[0\.5, -1\.5\] is outside of all blocks at the start; usual: a place in a block")
+        self.assert_one(edited(staged, "to = [0.5, -0.5]", "to = [0.5, 0.6]"),
+                        r'bolt\[0\]\.to: both ends are in "lower" at the start; usual: ends in two blocks')
+
     def test_a_run_tells_them_and_goes_on(self):
         with tempfile.TemporaryDirectory() as directory:
             scene = Path(directory, "scene.toml")

@@ -124,6 +124,8 @@ class WaterAndBolts(SceneTest):
         ]:
             self.check_fault(LAMP.replace(old, new).replace("[world]", "[world]\nduration = 1"), fault)
         self.check_fault(LAMP + '[[stage]]\ndo = "settle"\ninstall = ["cabel"]\n', r"did you mean 'cable'")
+        later = LAMP + STAGES
+        self.check_fault(later.replace('blocks = ["ground", "lamp"]', 'blocks = ["ground", "lmp"]'), r'bolt\[1\]\.blocks: no such block: "lmp"')
         self.check_fault(POND.replace("level = 0.5", ""), r"water\.table: missing")
         self.check_fault(POND.replace("level = 0.5", "table = [[1, 0], [0, 0]]"), r"water\.table: point 1 is to the left")
         three = POND.replace("level = 0.5", "table = [[0, 0], [1, 0], [2, 0]]")

@@ -93,8 +93,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   for (const hs_bond& bond : all_bonds(context, world))
     bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
   set_water();
-  for (std::size_t bolt = 0; bolt < given_bolts_.size(); ++bolt)
-    if (!given_bolts_[bolt].is_installed_later) install(bolt);
+  prepare_bolts();
   if (scene.in_situ) preload_joints(scene);
   update_report();
   if (scene.stages.empty()) begin_actions(0);

@@ -134,8 +134,10 @@ class Model {
   void load_nodes(std::size_t body);
   std::optional<Water> water() const;
   void set_water();
+  void prepare_bolts();
   void install(std::size_t bolt);
   hs_block block_at_end(const Bolt& bolt, std::size_t end) const;
+  hs_block named_block(const Bolt& bolt, std::size_t end) const;
   bool has_bolts_of_scene() const;
   /// The cells of a body, as blocks.
   std::vector<BlockFrame> frame_of(std::size_t body) const;

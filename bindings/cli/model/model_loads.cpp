@@ -40,11 +40,6 @@ Water water_between(const std::optional<Water>& before, const Water& after, doub
   return water;
 }
 
-std::string point_text(const Point& point, int dimension) {
-  std::string text = "[" + shortest(point[0]) + ", " + shortest(point[1]);
-  return text + (dimension == 3 ? ", " + shortest(point[2]) + "]" : "]");
-}
-
 }  // namespace
 
 /// The water at the present progress of the gradual changes.
@@ -67,17 +62,20 @@ std::optional<std::size_t> Model::block_at(const Point& place) const {
 
 /// The block that carries an end of a bolt; 0 for the ground.
 hs_block Model::block_at_end(const Bolt& bolt, std::size_t end) const {
+  if (!bolt.blocks[end].empty()) return named_block(bolt, end);
+  hs_block block = 0;
+  require(context_, hs_world_get_block_at(world_.get(), bolt.ends[end].data(), &block));
+  if (block != 0) return block;
+  throw SceneFault(bolt.places[end], bolt.keys[end],
+                   described(bolt.ends[end], layout_.dimension) +
+                       " is outside of all blocks; allowed: a place in a block, or with blocks = [\"a\", "
+                       "\"b\"], one of which may be \"ground\"");
+}
+
+/// The block that a bolt names for an end; 0 for the ground.
+hs_block Model::named_block(const Bolt& bolt, std::size_t end) const {
   const std::string& name = bolt.blocks[end];
   if (name == ground_name) return 0;
-  if (name.empty()) {
-    hs_block block = 0;
-    require(context_, hs_world_get_block_at(world_.get(), bolt.ends[end].data(), &block));
-    if (block != 0) return block;
-    throw SceneFault(bolt.places[end], bolt.keys[end],
-                     point_text(bolt.ends[end], layout_.dimension) +
-                         " is outside of all blocks; allowed: a place in a block, or with blocks = [\"a\", "
-                         "\"b\"], one of which may be \"ground\"");
-  }
   const auto found = std::find_if(layout_.blocks.begin(), layout_.blocks.end(),
                                   [&](const LayoutBlock& block) { return block.name == name; });
   const auto index = static_cast<std::size_t>(found - layout_.blocks.begin());
@@ -88,6 +86,18 @@ hs_block Model::block_at_end(const Bolt& bolt, std::size_t end) const {
                          "\"ground\"");
   }
   return blocks_[index];
+}
+
+/// Installs those of the start, and looks for the named blocks of all others, so that no run stops there.
+void Model::prepare_bolts() {
+  for (std::size_t i = 0; i < given_bolts_.size(); ++i) {
+    const Bolt& bolt = given_bolts_[i];
+    if (!bolt.is_installed_later) {
+      install(i);
+    } else if (!bolt.blocks[0].empty()) {
+      for (std::size_t end = 0; end < 2; ++end) (void)named_block(bolt, end);
+    }
+  }
 }
 
 void Model::install(std::size_t index) {

@@ -19,6 +19,8 @@ void note_times(const Start& start, Faults& faults);
 void note_directions(const Start& start, Faults& faults);
 /// Blocks and meshes without a support, at the start or after an excavation.
 void note_falling(const Start& start, Faults& faults);
+/// Bolts that stages install, with ends outside of all blocks or in a single one.
+void note_bolts(const Start& start, Faults& faults);
 /// [[bond]] tables that make no bond.
 void note_bonds(const Start& start, Faults& faults);
 /// Inconsistent lengths: files in other units, a tolerance as large as blocks.
