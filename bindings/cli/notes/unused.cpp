@@ -40,6 +40,7 @@ void note_strengths(const Start& start, Faults& faults) {
                                 start.layout.blocks[contact.block_b].material));
   const std::string text =
       "cohesion and tensile_strength act in contacts that exist at the start, and there is none";
+  const std::string remedy = "; flush faces, such as joints of a cut rock, hold together by a [[bond]]";
   std::set<std::pair<int, int>> own;  // pairs of materials with a law of their own
   for (std::size_t i = 0; i < start.scene.laws.size(); ++i) {
     const PairLaw& law = start.scene.laws[i];
@@ -48,12 +49,12 @@ void note_strengths(const Start& start, Faults& faults) {
     const bool differs =
         law.law.cohesion != from.cohesion || law.law.tensile_strength != from.tensile_strength;
     if (differs && holds_together(law.law) && !touching.contains(std::minmax(law.a, law.b)))
-      faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials");
+      faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials" + remedy);
   }
   const bool is_default_used =
       std::any_of(touching.begin(), touching.end(), [&](const auto& pair) { return !own.contains(pair); });
   if (holds_together(start.scene.default_law) && !is_default_used)
-    faults.note(start.scene.places.default_law, "default_law", text + " with this law");
+    faults.note(start.scene.places.default_law, "default_law", text + " with this law" + remedy);
 }
 
 }  // namespace
