@@ -8,6 +8,7 @@ class Chart {
   constructor(canvas, onTime) {
     this.canvas = canvas;
     this.series = [];
+    this.leftOut = new Set();
     this.time = 0;
     const seek = (event) => {
       if (event.type === "pointermove" && event.buttons === 0) return;
@@ -30,6 +31,13 @@ class Chart {
     this.draw();
   }
 
+  /** Leaves a series out, or shows it again; returns whether it is left out. */
+  toggle(series) {
+    if (!this.leftOut.delete(series)) this.leftOut.add(series);
+    this.draw();
+    return this.leftOut.has(series);
+  }
+
   draw() {
     const {canvas} = this, ratio = window.devicePixelRatio || 1;
     const width = canvas.clientWidth, height = canvas.clientHeight;
@@ -39,11 +47,13 @@ class Chart {
     const context = canvas.getContext("2d"), style = getComputedStyle(canvas);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    if (this.series.length === 0) return;
+    if (this.series.length === this.leftOut.size) return;
     let low = Infinity, high = -Infinity;
     this.begin = Infinity;
     this.end = -Infinity;
-    for (const {times, values} of this.series) {
+    for (const series of this.series) {
+      if (this.leftOut.has(series)) continue;
+      const {times, values} = series;
       this.begin = Math.min(this.begin, times[0]);
       this.end = Math.max(this.end, times[times.length - 1]);
       for (const value of values) {
@@ -84,7 +94,9 @@ class Chart {
     context.beginPath();
     context.rect(this.left, top - 4, this.plotWidth + 4, bottom - top + 8);
     context.clip();
-    this.series.forEach(({times, values, colour}, index) => {
+    this.series.forEach((series, index) => {
+      if (this.leftOut.has(series)) return;
+      const {times, values, colour} = series;
       context.strokeStyle = colour || seriesColours[index % seriesColours.length];
       context.lineWidth = 1.6;
       context.beginPath();
@@ -101,4 +113,14 @@ class Chart {
     context.stroke();
     context.restore();
   }
+}
+
+/** The name of a series with its colour, as a button that leaves the series out of its chart. */
+function legendEntry(chart, series, index) {
+  const entry = document.createElement("button");
+  entry.title = "Show or hide";
+  entry.innerHTML = `<i class="swatch" style="background:${seriesColours[index % seriesColours.length]}"></i>`;
+  entry.append(series.name);
+  entry.addEventListener("click", () => entry.classList.toggle("off", chart.toggle(series)));
+  return entry;
 }

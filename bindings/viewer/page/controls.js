@@ -122,7 +122,11 @@ class Controls {
       button.addEventListener("click", () => this.views[button.dataset.view]());
     element("save").addEventListener("click", () => viewer.savePicture());
     element("theme").addEventListener("click", () => this.switchTheme());
-    element("panel-toggle").addEventListener("click", () => { element("panel").hidden = !element("panel").hidden; });
+    element("panel").hidden = window.matchMedia("(max-width: 760px)").matches;
+    element("panel-toggle").addEventListener("click", () => {
+      element("panel").hidden = !element("panel").hidden;
+      for (const chart of this.charts) chart.draw();
+    });
     let pressed = null;
     canvas.addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
     canvas.addEventListener("pointerup", (event) => {
@@ -152,12 +156,7 @@ class Controls {
       const chart = new Chart(element("energy-chart"), seek);
       chart.setSeries(energies.map((name) => history.series(name)), "J");
       this.charts.push(chart);
-      energies.forEach((name, index) => {
-        const entry = document.createElement("span");
-        entry.innerHTML = `<i class="swatch" style="background:${seriesColours[index % seriesColours.length]}"></i>`;
-        entry.append(name.replace(/_/g, " "));
-        element("energy-legend").append(entry);
-      });
+      element("energy-legend").append(...chart.series.map((series, index) => legendEntry(chart, series, index)));
     }
     if (!history) return;
     const columns = history.others(), chart = new Chart(element("history-chart"), seek);

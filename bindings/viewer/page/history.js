@@ -16,8 +16,10 @@ class History {
     this.times = this.columns.get("time");
   }
 
+  /** A column; the outer work since the start, because the ledger's includes the energy at the start. */
   series(name) {
-    return {name: name.replace(/_/g, " "), times: this.times, values: this.columns.get(name)};
+    const column = this.columns.get(name), from = name === "outer_work" ? column[0] : 0;
+    return {name: name.replace(/_/g, " "), times: this.times, values: column.map((value) => value - from)};
   }
 
   /** The energies that change, without the sum of their errors. */

@@ -23,11 +23,20 @@ function drawCard(context, left, top, width, height, theme) {
 
 const overlayFont = (size, weight = 400) => `${weight} ${size}px system-ui, "Segoe UI", "DejaVu Sans", sans-serif`;
 
-function drawTime(context, {title, time, theme}) {
+/** A text, cut to a width. */
+function shortened(context, text, width) {
+  if (context.measureText(text).width <= width) return text;
+  let count = text.length;
+  while (count > 0 && context.measureText(`${text.slice(0, count)}…`).width > width) --count;
+  return `${text.slice(0, count)}…`;
+}
+
+function drawTime(context, {width, camera, title, time, theme}) {
+  const buttons = camera.dimension === 2 ? 190 : 290;
   context.textAlign = "left";
   context.fillStyle = theme.text;
   context.font = overlayFont(15, 600);
-  context.fillText(title, 18, 24);
+  context.fillText(shortened(context, title, width - buttons), 18, 24);
   context.font = overlayFont(13);
   context.fillStyle = theme.quiet;
   context.fillText(`t = ${time.toPrecision(4).replace(/\.?0+$/, "")} s`, 18, 45);

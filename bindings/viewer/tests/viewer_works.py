@@ -192,6 +192,35 @@ class Plane(ViewerTest):
         near = screenshot[y - 3:y + 4, x - 3:x + 4].reshape(-1, 3)
         return near[np.abs(near - colour).max(axis=1).argmin()]
 
+    def test_energies(self):
+        """The outer work begins at 0, although the ledger's includes the energy at the start; a name hides its line."""
+        shown = self.browser.run("const {history} = viewer, {values} = history.series('outer_work');"
+                                 "return [history.columns.get('outer_work')[0], values[0]]")
+        self.assertGreater(shown[0], 1000)
+        self.assertEqual(shown[1], 0)
+        entry = self.browser.element("energy-legend").find_element("tag name", "button")
+        self.assertEqual(entry.text, "kinetic")
+        charts = [self.browser.run("if (a[0]) a[0].click(); return viewer.controls.charts[0].canvas.toDataURL()", button)
+                  for button in (None, entry, entry)]
+        self.assertNotEqual(charts[1], charts[0])
+        self.assertEqual(charts[2], charts[0])
+
+    def test_narrow_window(self):
+        """The panel is hidden at first, and leaves the button free that hides it again; a long title ends before it."""
+        size = self.browser.driver.get_window_size()
+        self.addCleanup(lambda: self.browser.open(self.output / "view.html"))
+        self.addCleanup(self.browser.driver.set_window_size, size["width"], size["height"])
+        self.browser.driver.set_window_size(500, 800)
+        self.browser.open(self.output / "view.html")
+        self.assertFalse(self.browser.element("panel").is_displayed())
+        for is_shown in (True, False):
+            self.browser.element("panel-toggle").click()
+            self.assertEqual(self.browser.element("panel").is_displayed(), is_shown)
+        widths = self.browser.run("const context = document.createElement('canvas').getContext('2d');"
+                                  "return [context.measureText(shortened(context, 'a '.repeat(200), 100)).width, shortened(context, 'slope', 100)]")
+        self.assertLessEqual(widths[0], 100)
+        self.assertEqual(widths[1], "slope")
+
     def test_playing(self):
         self.browser.run("document.getElementById('picture').focus()")
         self.browser.type(" ")
