@@ -1,6 +1,8 @@
 """Callbacks of the library of scenes."""
 from __future__ import annotations
 
+import signal
+import threading
 from typing import Any, Callable, Optional
 
 from . import _scene
@@ -30,11 +32,24 @@ class Callbacks:
         row: Any = self._on_row if callback else 0
         self.row = _scene.ROW(row)
         self._where = ""
+        self._is_calling = False
+        self._handler: Any = None  # of Ctrl-C, before
 
     def __enter__(self) -> "Callbacks":
+        # Python's own handler raises as soon as a callback is entered, where C would drop the exception.
+        is_main = threading.current_thread() is threading.main_thread()
+        if is_main and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            self._handler = signal.signal(signal.SIGINT, self._interrupt)
         return self
 
+    def _interrupt(self, *_: object) -> None:
+        if self._is_calling:
+            raise KeyboardInterrupt
+        self._error = self._error or KeyboardInterrupt()
+
     def __exit__(self, *_: object) -> None:
+        if self._handler:
+            signal.signal(signal.SIGINT, self._handler)
         if self._bar:
             self._bar.close()
 
@@ -60,10 +75,13 @@ class Callbacks:
         if self._error is not None:
             return 1
         try:
+            self._is_calling = True
             return 1 if call() is False else 0
         except BaseException as error:  # whatever it is, it must not pass through C
             self._error = error
             return 1
+        finally:
+            self._is_calling = False
 
     def end(self, end: str) -> None:
         """Raises the exception of a callback, or completes the bar of work that was not interrupted."""

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import Tuple, Union, cast
 
 import numpy as np
@@ -13,8 +14,11 @@ from ._choice import choice
 from ._library import library
 from ._record import empty_record
 from .constants import Unbalanced
+from .context import held
 from .records import BALANCE, STRENGTH_REPORT, Balance, StrengthReport
 from .water import WetBlocks
+
+_STEPS_OF_PIECE = 20000  # as of bindings/cli/run/settle.h
 
 
 class Statics(WetBlocks):
@@ -31,7 +35,8 @@ class Statics(WetBlocks):
         hold_bonds: bool = True,
     ) -> Tuple[bool, Balance]:
         """Steps the world under strong damping until static equilibrium, then sets all velocities to 0. Damping and
-        the state of `hold_bonds` are restored afterwards.
+        the state of `hold_bonds` are restored afterwards. As stages of a scene do, it begins anew after each 20000
+        steps; there Ctrl-C interrupts it.
 
         Parameters
         ----------
@@ -55,11 +60,20 @@ class Statics(WetBlocks):
         """
         struct = _raw.hs_relaxation_def()
         library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.measure, struct.ratio, struct.max_steps = choice(measure, Unbalanced, "measure"), ratio, max_steps
+        struct.measure, struct.ratio = choice(measure, Unbalanced, "measure"), ratio
         struct.local_damping, struct.is_adaptive, struct.hold_bonds = local_damping, int(adaptive), int(hold_bonds)
         array, address = empty_record(BALANCE)
         balance = _raw.hs_balance.from_address(address)
-        status = self._call(library.hs_world_relax, struct, balance, BALANCE.itemsize)
+        done, left = 0, operator.index(max_steps)
+        with held(self):
+            while True:
+                struct.max_steps = min(left, _STEPS_OF_PIECE)
+                status = self._call(library.hs_world_relax, struct, balance, BALANCE.itemsize)
+                done += balance.steps
+                left -= balance.steps
+                if status != _raw.HS_NOTE_NOT_AT_REST or left <= 0 or balance.steps < struct.max_steps:
+                    break
+        balance.steps = done
         return status != _raw.HS_NOTE_NOT_AT_REST, cast(Balance, array[0])
 
     @property

@@ -120,6 +120,22 @@ def test_a_long_run_can_be_interrupted(resting_world):
     assert resting_world.report.steps == steps + 1
 
 
+def test_a_relaxation_can_be_interrupted(resting_world):
+    timer = threading.Timer(0.3, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        resting_world.relax(1e-300, max_steps=10**8)
+    timer.join()
+    steps = resting_world.report.steps
+    assert 0 < steps < 10**8
+
+
+def test_a_relaxation_counts_all_its_steps(resting_world):
+    steps = resting_world.report.steps
+    is_at_rest, balance = resting_world.relax(1e-300, max_steps=50001)
+    assert not is_at_rest and balance.steps == 50001 == resting_world.report.steps - steps
+
+
 def test_setting_poses(resting_world):
     poses = resting_world.poses
     poses[1, :2] += 3
