@@ -15,6 +15,13 @@ _DOUBLE = ctypes.sizeof(ctypes.c_double)
 _packed_view = struct.Struct("PPPqq").pack  # hs_view: three addresses, stride, count
 
 
+def require_above_0(**sizes: Any) -> None:
+    """Refuses sizes that are not above 0 and finite, by their names."""
+    for name, size in sizes.items():
+        if not (np.all(np.greater(size, 0)) and np.all(np.isfinite(size))):
+            raise ValueError(f"{name} is {size}; it must be above 0 and finite")
+
+
 def _as_points(points: ArrayLike, components: Tuple[int, ...], name: str) -> NDArray[np.float64]:
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in components:

@@ -104,6 +104,9 @@ class Context:
     def __exit__(self, *_: object) -> None:
         self.close()
 
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle and copy
+        raise TypeError("a Context cannot be copied or pickled; make another one")
+
     def __repr__(self) -> str:
         return (
             "<halfspace.Context, closed>"
@@ -165,6 +168,9 @@ class Handle:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle and copy
+        raise TypeError(f"a {type(self).__name__} cannot be copied or pickled; make another one of the same input")
 
     @property
     def closed(self) -> bool:

@@ -7,6 +7,7 @@ from typing import Any, List, Mapping, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arrays import require_above_0
 from .context import Context
 from .scene import shapes_of
 from .shape import Shape
@@ -140,6 +141,7 @@ def stack(
     >>> [block.centroid.tolist() for block in stack((1, 1), 2)]
     [[0.0, 0.5], [0.0, 1.5]]
     """
+    require_above_0(size=size)
     foot = np.zeros(len(size))
     foot[: np.size(at)] = at
     low = foot - 0.5 * np.asarray(size)
@@ -176,6 +178,7 @@ def wall(
     >>> len(wall(2, 2, (1, 0.5)))  # two bricks, then half, one and half
     5
     """
+    require_above_0(length=length, brick=brick)
     corner = np.zeros(len(brick))
     corner[: np.size(at)] = at
     blocks = []
@@ -212,7 +215,7 @@ def arch(
     count : int
         Number of voussoirs.
     angle : float
-        Embraced by the arch, rad; by default a semicircle.
+        Embraced by the arch, rad, at most 2 pi; by default a semicircle.
     depth : float, optional
         Of the voussoirs along y, for an arch in 3D, whose plane is x-z, m.
     at : array_like
@@ -225,6 +228,11 @@ def arch(
     >>> len(arch(10, 1.2, 27))
     27
     """
+    require_above_0(radius=radius, thickness=thickness, count=count, angle=angle)
+    if angle > 2 * math.pi:
+        raise ValueError(f"angle is {angle}; it must be at most 2 pi, as it is in radians")
+    if thickness >= 2 * radius:
+        raise ValueError(f"thickness is {thickness}; it must be below twice the radius, {2 * radius:g}")
     centre = np.zeros(2 if depth is None else 3)
     centre[: np.size(at)] = at
     angles = 0.5 * math.pi + angle * (np.arange(count + 1) / count - 0.5)

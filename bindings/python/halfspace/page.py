@@ -57,7 +57,12 @@ def view(run: Any, path: Union[str, "os.PathLike[str]", None] = None) -> View:
         target = pathlib.Path(path) if path is not None else _temporary()
         run.write(target)
         return View(target)
-    directory = pathlib.Path(getattr(run, "directory", None) or run)
+    directory = getattr(run, "directory", run)
+    if not isinstance(directory, (str, os.PathLike)):
+        raise TypeError(
+            f"run is {run!r}; it must be a Recording, the output directory of a run, or the result of a run with one"
+        )
+    directory = pathlib.Path(directory)
     target = pathlib.Path(path) if path is not None else directory / "view.html"
     read_run(directory, target)
     return View(target)

@@ -76,7 +76,7 @@ class Runs(BlockArrays):
         duration : float, optional
             Time to run, s; or give `until`.
         until : float, optional
-            Time of the end, s.
+            Time of the end, s. Nothing happens if it has passed.
         every : float, optional
             Interval of the callback, s, from the start of the run; by default after each portion of about 0.1 s of
             wall time.
@@ -104,6 +104,10 @@ class Runs(BlockArrays):
             raise ValueError("give either duration or until")
         if every is not None and not every > 0:
             raise ValueError(f"every is {every}; it must be above 0")
+        if duration is not None and not 0 <= duration < np.inf:
+            raise ValueError(f"duration is {duration}; it must be at least 0 and finite")
+        if until is not None and not np.isfinite(until):
+            raise ValueError(f"until is {until}; it must be finite")
         start = float(self.report.time)
         end = start + duration if duration is not None else float(until or 0.0)
         bar = ProgressBar() if progress else None

@@ -21,6 +21,10 @@ from .world import World
 from .world_tables import tables_of
 
 
+def _read(text: bytes, settings: Settings, file: str) -> "Scene":
+    return Scene(text, settings, file=file)
+
+
 class Scene(Searches):
     """A scene: blocks, materials, laws, stages and output, as in a TOML file (docs/scenes/index.md).
 
@@ -140,6 +144,9 @@ class Scene(Searches):
     def stage_count(self) -> int:
         """Number of stages."""
         return int(self._properties.stage_count)
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle and copy
+        return _read, (self._bytes, self._settings, self._file)
 
     def __repr__(self) -> str:
         return f"<halfspace.Scene {self._file}, {self.dimension}D>"

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import as_pose, indices, mutable_view_of, vector, view_of
+from ._arrays import as_pose, indices, mutable_view_of, require_above_0, vector, view_of
 from ._library import library
 from ._record import empty_record
 from .context import Context, Handle, default_context, held
@@ -191,12 +191,14 @@ class Shape(Handle):
     @classmethod
     def rectangle(cls, width: float, height: float, *, context: Optional[Context] = None) -> "Shape":
         """Creates a rectangle, centered at the origin."""
+        require_above_0(width=width, height=height)
         x, y = 0.5 * width, 0.5 * height
         return cls.polygon([(-x, -y), (x, -y), (x, y), (-x, y)], context=context)
 
     @classmethod
     def box(cls, width: float, depth: float, height: float, *, context: Optional[Context] = None) -> "Shape":
         """Creates a cuboid, centered at the origin, with edges along x, y and z."""
+        require_above_0(width=width, depth=depth, height=height)
         signs = [(i, j, k) for k in (-0.5, 0.5) for j in (-0.5, 0.5) for i in (-0.5, 0.5)]
         faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
         return cls.polyhedron(np.multiply(signs, (width, depth, height)), faces, context=context)

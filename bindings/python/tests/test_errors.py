@@ -1,4 +1,5 @@
 """Failed calls raise exceptions with the text of the library, and the use of closed objects is safe."""
+import copy
 import gc
 import os
 import pickle
@@ -80,6 +81,13 @@ def test_what_is_closed_says_so(square):
     world.close()
     context.close()
     assert "closed" in repr(world) + repr(mine) + repr(context)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, pickle.dumps])
+def test_what_has_no_copy_says_so(square, copied):
+    for one, name in ((square, "Shape"), (square.context, "Context")):
+        with pytest.raises(TypeError, match=f"a {name} cannot be copied or pickled; make another one"):
+            copied(one)
 
 
 def test_a_context_lives_as_long_as_what_it_owns():

@@ -69,3 +69,18 @@ def test_generated_blocks_stand():
     world.relax()
     contacts = world.contacts()
     assert contacts.normal_force.max() == pytest.approx(3 * 2000 * 9.81, rel=1e-3)
+
+
+@pytest.mark.parametrize("make, message", [
+    (lambda: hs.stack((1, -1), 3), r"size is \(1, -1\); it must be above 0"),
+    (lambda: hs.wall(0, 3, (1, 0.5)), "length is 0; it must be above 0"),
+    (lambda: hs.wall(4, 3, (1, math.nan)), "brick is "),
+    (lambda: hs.arch(10, 1.2, 20, angle=180), "angle is 180; it must be at most 2 pi"),
+    (lambda: hs.arch(1, 2, 20), "thickness is 2; it must be below twice the radius, 2"),
+    (lambda: hs.arch(10, 1.2, 0), "count is 0; it must be above 0"),
+    (lambda: hs.Shape.rectangle(-1, 1), "width is -1; it must be above 0"),
+    (lambda: hs.Shape.box(1, 0, 1), "depth is 0; it must be above 0"),
+])
+def test_sizes_are_above_0(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()

@@ -38,6 +38,13 @@ def test_progress_is_shown(resting_world, capsys):
     assert "100 %" in shown and "t = 0.1 of 0.1 s" in shown and shown.endswith("\n")
 
 
+@pytest.mark.parametrize("end", [{"duration": -1}, {"duration": float("nan")}, {"until": float("inf")}])
+def test_an_end_is_finite(resting_world, end):
+    (name, value), = end.items()
+    with pytest.raises(ValueError, match=f"{name} is {value}; it must be"):
+        resting_world.run(**end)
+
+
 def test_a_run_without_an_end_is_refused(resting_world):
     with pytest.raises(ValueError, match="either duration or until"):
         resting_world.run()

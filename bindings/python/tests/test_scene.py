@@ -3,7 +3,10 @@ import copy
 import math
 import os
 import pathlib
+import pickle
+import signal
 import subprocess
+import threading
 
 import numpy as np
 import pytest
@@ -130,6 +133,33 @@ def test_a_saved_scene_is_the_same(falling, tmp_path):
     slow = falling.with_settings({"world.gravity": (0, -1)})
     slow.save(tmp_path / "slow.toml")
     assert hs.Scene.load(tmp_path / "slow.toml").run().max_displacement == slow.run().max_displacement
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_a_copy_of_a_scene_is_the_same(falling, copied):
+    scene = falling.with_settings({"default_law.friction_angle": 20})
+    assert copied(scene).text == scene.text
+
+
+def test_an_interrupt_ends_a_run(falling, capsys):
+    settings = {"world.duration": 1e5, "output.frame_interval": 1e4, "output.history_interval": 1e4}
+    timer = threading.Timer(0.5, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        falling.with_settings(settings).run()
+    timer.join()
+    assert capsys.readouterr().err == ""
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_an_interrupt_ends_a_callback(falling):
+    """It is raised in the callback, however long that takes."""
+    def wait(_):
+        signal.raise_signal(signal.SIGINT)
+        raise AssertionError("it goes on")
+
+    with pytest.raises(KeyboardInterrupt):
+        falling.run(callback=wait)
 
 
 def test_a_scene_from_tables():

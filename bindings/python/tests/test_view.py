@@ -100,3 +100,9 @@ def test_a_notebook_shows_the_page(tmp_path):
         assert shown.startswith("<iframe srcdoc=") and shown.count('"') == 4
     finally:
         page.path.unlink()
+
+
+def test_what_cannot_be_viewed_is_refused():
+    world, _ = falling(2)
+    with pytest.raises(TypeError, match=r"run is <halfspace.World, 2D: 1 block.*; it must be a Recording, the output directory"):
+        hs.view(world)
