@@ -41,6 +41,15 @@ rotation = -{dip}
 {body}
 """
 
+STOP = """
+[[block]]
+name = "stop"
+kind = "fixed"
+material = "ground"
+vertices = [[7, 0], [9, 0], [9, 3], [7, 3]]
+rotation = -{dip}
+"""
+
 RIGID = """
 [[block]]
 name = "block"
@@ -111,6 +120,13 @@ class Safety(SceneTest):
         sliding = scene_of(RIGID, 40).replace("duration = 1\n", "") + '[[stage]]\ndo = "settle"\nmax_steps = 2000\n'
         self.assertIn("not at rest", self.safety(sliding, code=1))
         self.assertIn("--low", self.safety(scene_of(RIGID, 20), "--low", 3, "--high", 2, code=2))
+
+    def test_a_scene_that_falls_before_the_search_is_told(self):
+        """The block slides by 2 m to a stop, and nothing falls from there."""
+        told = self.safety(scene_of(RIGID + STOP, 40), code=1)
+        self.assertRegex(told, r"FELL AT FIRST +1 of 3 blocks moved by more than a tenth of their size while the scene settled, block by (2|2\.0\d|1\.99) m")
+        self.assertIn("above 5: the scene is stable there", told)
+        self.assertNotIn("FELL AT FIRST", self.safety(scene_of(RIGID + STOP, 20), "--high", 1.5, "--force", code=1))
 
     def test_the_limit_is_the_users_and_by_default_the_joints(self):
         told = self.safety(scene_of(RIGID, 20))

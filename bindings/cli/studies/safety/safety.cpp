@@ -7,6 +7,7 @@
 
 #include "common/interrupt.h"
 #include "common/text.h"
+#include "common/vector.h"
 #include "output/summary.h"
 #include "run/settle.h"
 
@@ -35,6 +36,30 @@ std::string not_settled(const Scene& scene, Model& model, Progress& progress) {
   return {};
 }
 
+/// Reports blocks that moved by more than a tenth of their size while the scene settled: it fell by itself,
+/// and the search begins from the state after that.
+std::string fall_before(const Layout& layout, const Frame& start, const Frame& rest) {
+  const std::vector<double> limits = limits_at_start(start);
+  std::size_t count = 0, farthest = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < rest.blocks.size(); ++i) {
+    if (is_removed(rest.blocks[i]) || !moves_freely(rest.blocks[i].state.kind)) continue;
+    const double moved = length(
+        minus(point_of(rest.blocks[i].state.pose.position), point_of(start.blocks[i].state.pose.position)));
+    if (moved <= limits[i]) continue;
+    ++count;
+    if (moved <= largest) continue;
+    largest = moved;
+    farthest = i;
+  }
+  if (count == 0) return {};
+  return report_line("FELL AT FIRST",
+                     std::to_string(count) + " of " + std::to_string(rest.blocks.size()) +
+                         " blocks moved by more than a tenth of their size while the scene settled, " +
+                         layout.blocks[farthest].name + " by " + rounded(largest, 3) +
+                         " m: the result is that of the scene after this");
+}
+
 /// The relaxation of a trial that begins at rest. What is not at rest by its end falls.
 SceneStage trial_stage(const Scene& scene) {
   constexpr std::int64_t max_pieces = 200;
@@ -52,6 +77,7 @@ SearchResult search_from_rest(const Scene& scene, const std::shared_ptr<Model>& 
                               OutputDirectory& directory) {
   Progress progress(options.on_progress);
   SearchResult result{.report = scene_lines(scene)};
+  const Frame start = model->frame();
   const std::string trouble = not_settled(scene, *model, progress);
   if (!trouble.empty()) {
     if (interrupt_requested()) result.end = SearchEnd::interrupted;
@@ -59,6 +85,7 @@ SearchResult search_from_rest(const Scene& scene, const std::shared_ptr<Model>& 
     directory.write(words.report, result.report);
     return result;
   }
+  result.report += fall_before(model->layout(), start, model->frame());
   std::vector<double> limits = limits_at_rest(scene, *model);
   if (options.limit > 0) limits.assign(limits.size(), options.limit);
   const std::string at_rest = model->snapshot();
