@@ -86,6 +86,9 @@ class Recording:
         encoded = [name.encode() for name in materials]
         self._call("set_materials", len(encoded), (ctypes.c_char_p * len(encoded))(*encoded))
 
+    def __repr__(self) -> str:
+        return f"<halfspace.Recording, frames: {len(self)}>"
+
     def __len__(self) -> int:
         return len(self._rows)
 

@@ -78,6 +78,9 @@ def sweep_of(
 ) -> Sweep:
     """Runs all combinations, in the order of the values; the last key varies fastest."""
     names = ["factor_of_safety", "stable", "falls"] if safety else list(_OF_RUNS)
+    for key, each in values.items():
+        if isinstance(each, str) or not np.iterable(each):
+            raise TypeError(f"the values of {key} are {each!r}; they must be a sequence, as [20, 30] or range(15, 45, 5)")
     combinations = [dict(zip(values, each)) for each in itertools.product(*values.values())]
     scenes = [scene.with_settings(combination) for combination in combinations]  # faults before any run
 

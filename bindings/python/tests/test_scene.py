@@ -261,6 +261,12 @@ def test_searches_refuse_what_does_not_fit():
             search()
 
 
+@pytest.mark.parametrize("values", [20, "20:30:5"])
+def test_the_values_of_a_sweep_are_a_sequence(falling, values):
+    with pytest.raises(TypeError, match=f"the values of default_law.friction_angle are {values!r}; they must be a sequence"):
+        falling.sweep({"default_law.friction_angle": values})
+
+
 def test_a_sweep_in_threads():
     swept = hs.Scene.loads(FALLING).sweep({"world.gravity": [(0, -1), (0, -2)], "world.duration": [0.1, 0.2]}, jobs=2)
     assert swept["max_displacement"] == pytest.approx([0.005, 0.02, 0.01, 0.04])

@@ -106,3 +106,9 @@ def test_what_cannot_be_viewed_is_refused():
     world, _ = falling(2)
     with pytest.raises(TypeError, match=r"run is <halfspace.World, 2D: 1 block.*; it must be a Recording, the output directory"):
         hs.view(world)
+
+
+def test_a_recording_shows_its_length():
+    recording = hs.Recording(falling(2)[0])
+    recording.add()
+    assert repr(recording) == "<halfspace.Recording, frames: 1>"
