@@ -23,9 +23,10 @@ class Callbacks:
         shows_progress: bool,
         callback: Optional[Callback] = None,
         world_at: Optional[Callable[[Any], World]] = None,
+        stopped: Optional[threading.Event] = None,
     ) -> None:
         self._bar = ProgressBar() if shows_progress else None
-        self._callback, self._world_at = callback, world_at
+        self._callback, self._world_at, self._stopped = callback, world_at, stopped
         self._error: Optional[BaseException] = None
         # Without a bar, too, as Python handles signals during these calls.
         self.progress = _scene.PROGRESS(self._on_progress)
@@ -72,7 +73,7 @@ class Callbacks:
         return self._ends(follow)
 
     def _ends(self, call: Callable[[], Any]) -> int:
-        if self._error is not None:
+        if self._error is not None or (self._stopped and self._stopped.is_set()):
             return 1
         try:
             self._is_calling = True

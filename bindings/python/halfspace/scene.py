@@ -211,7 +211,7 @@ class Scene(Searches):
         """
         scene = self if every is None else self.with_settings({"output.history_interval": every})
         with output_directory(output) as directory, scene._in(context) as (owner, address), Callbacks(
-            progress, callback, scene._worlds_in(owner)
+            progress, callback, scene._worlds_in(owner), scene._stopped
         ) as calls:
             start = None if resume_from is None else os.fsencode(resume_from)
             definition = _scene.hs_scene_run_def(os.fsencode(directory), replace, start, calls.progress, calls.row)

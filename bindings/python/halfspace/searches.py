@@ -6,6 +6,7 @@ import ctypes
 import math
 import os
 import tempfile
+import threading
 from typing import Any, ContextManager, Iterator, Mapping, Optional, Tuple, Union
 
 from . import _scene
@@ -22,6 +23,7 @@ class Searches:
     """The searches of a scene. Each bisects a value, and brings the scene to rest with it."""
 
     _handle: _scene.SceneHandle
+    _stopped: Optional[threading.Event] = None  # set when all studies of a sweep are to end
 
     def _in(self, context: Optional[Context]) -> ContextManager[Tuple[Context, Any]]:
         raise NotImplementedError
@@ -57,7 +59,9 @@ class Searches:
         progress, context :
             As in `run`.
         """
-        with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(progress) as calls:
+        with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(
+            progress, stopped=self._stopped
+        ) as calls:
             definition = _scene.hs_scene_safety_def(
                 low, high, resolution, limit, os.fsencode(directory), replace, resume, calls.progress
             )
@@ -133,7 +137,9 @@ class Searches:
             if low is not None or high is not None:
                 raise ValueError("low and high: the bracket of a key is its value")
             varied, (name, low, high) = _scene.VARY_SETTING, _bracket_of(values)
-        with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(progress) as calls:
+        with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(
+            progress, stopped=self._stopped
+        ) as calls:
             definition = _scene.hs_scene_limit_def(
                 varied,
                 smallest,

@@ -7,6 +7,7 @@ import dataclasses
 import itertools
 import os
 import pathlib
+import threading
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -83,6 +84,9 @@ def sweep_of(
             raise TypeError(f"the values of {key} are {each!r}; they must be a sequence, as [20, 30] or range(15, 45, 5)")
     combinations = [dict(zip(values, each)) for each in itertools.product(*values.values())]
     scenes = [scene.with_settings(combination) for combination in combinations]  # faults before any run
+    stopped = threading.Event()  # by Ctrl-C, which only the main thread sees
+    for each_scene in scenes:
+        each_scene._stopped = stopped
 
     def row_of(number: int) -> Dict[str, Any]:
         try:
@@ -98,6 +102,7 @@ def sweep_of(
                 if bar:
                     bar.show(done / len(futures), f"{done} of {len(futures)} runs")
         except BaseException:
+            stopped.set()
             for future in futures:
                 future.cancel()
             raise

@@ -152,6 +152,17 @@ def test_an_interrupt_ends_a_run(falling, capsys):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+def test_an_interrupt_ends_all_runs_of_a_sweep(falling):
+    """Each would take hours."""
+    scene = falling.with_settings({"world.duration": 1e6, "world.gravity": [0, 0], "output.frame_interval": 1e5,
+                                   "output.history_interval": 1e5})
+    timer = threading.Timer(0.5, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        scene.sweep({"world.time_step": [1e-5, 2e-5, 3e-5]}, jobs=2)
+    timer.join()
+
+
 def test_an_interrupt_ends_a_callback(falling):
     """It is raised in the callback, however long that takes."""
     def wait(_):
