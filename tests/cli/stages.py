@@ -165,7 +165,8 @@ class Stages(SceneTest):
             ("duration = 0.3\n", "", r"stage\[1\]\.duration"),
             ("cohesion = 5e6", "cohesion = 5e6\nresidual_cohesion = 6e6", r"bond\[0\]\.residual_cohesion"),
             ('between = ["stone", "stone"]', 'between = ["stone", "stoen"]', r"bond\[0\]\.between"),
-            ("[world]\n", "[world]\nrest_speed = 1\n", r"world\.rest_speed"),
+            ("[world]\n", "[world]\nrest_speed = 1\n", r"world\.rest_speed: not allowed with stages"),
+            ("[world]\n", "[world]\nduration = 1\n", r"world\.duration: not allowed with stages; allowed: duration in a \[\[stage\]\] that runs"),
         ]:
             self.check_fault(whole.replace(old, new, 1), fault)
 

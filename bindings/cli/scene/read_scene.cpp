@@ -29,7 +29,11 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   hs_world_def_init(&world, sizeof world, keys.dimension());
   const Point gravity = keys.point("gravity", std::to_array(world.gravity));
   std::copy(gravity.begin(), gravity.end(), world.gravity);
-  scene.duration = has_stages ? 0 : keys.number("duration", above(0), required);
+  for (const std::string key : {"duration", "rest_speed"})
+    if (has_stages && keys.has(key))
+      keys.fault(key, "not allowed with stages; allowed: " + key + " in a [[stage]] that runs");
+  scene.duration =
+      has_stages ? keys.number("duration", above(0), 0.0) : keys.number("duration", above(0), required);
   world.time_step = keys.number("time_step", above(0), world.time_step);
   world.safety = keys.number("safety", {.low = 0, .high = 1, .with_low = false}, world.safety);
   world.local_damping =
@@ -46,8 +50,6 @@ void read_world(Keys keys, bool has_stages, Scene& scene) {
   world.max_impulse_iterations = static_cast<std::int32_t>(
       keys.integer("max_impulse_iterations", 1, 1'000'000, world.max_impulse_iterations));
   world.locate_impacts = keys.boolean("locate_impacts", world.locate_impacts != 0);
-  if (has_stages && keys.has("rest_speed"))
-    keys.fault("rest_speed", "not allowed with stages; allowed: rest_speed in a [[stage]] that runs");
   scene.rest_speed = keys.number("rest_speed", above(0), scene.rest_speed);
   scene.threads = static_cast<int>(keys.integer("threads", 1, max_threads, scene.threads));
   Scene::Places& places = scene.places;
