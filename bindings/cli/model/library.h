@@ -89,6 +89,9 @@ std::vector<HalfSpace> halfspaces_of(const Context& context, const Shape& shape)
 /// The faces of a polyhedron as loops of vertices, counter-clockwise seen from outside.
 std::vector<std::vector<int>> faces_of(const Context& context, const Shape& shape);
 
+/// The contacts of the last detection, between ids of the world.
+std::vector<hs_contact> contacts_of(const Context& context, const hs_world* world);
+
 /// A world as hs_world_save() writes it, and back. @throws LibraryError
 std::string snapshot_of(const Context& context, const hs_world* world);
 World restored(const Context& context, const std::string& snapshot);

@@ -132,11 +132,7 @@ void Model::add(const LayoutCompound& given) {
 /// Gives the shear stress of the start to the joints that resist it.
 void Model::preload_joints(const Scene& scene) {
   require(context_, hs_world_detect(world_.get(), nullptr));
-  int64_t count = 0;
-  require(context_, hs_world_get_contacts(world_.get(), nullptr, 0, &count));
-  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
-  for (const hs_contact& contact : contacts) {
+  for (const hs_contact& contact : contacts_of(context_, world_.get())) {
     const LayoutBlock& a = layout_.blocks[index_of(contact.block_a)];
     const LayoutBlock& b = layout_.blocks[index_of(contact.block_b)];
     const hs_law_def& law = law_between(scene, a.material, b.material);
@@ -319,11 +315,7 @@ BlockFrame Model::motion_of(std::size_t block) const {
 hs_block_state Model::state_of(std::size_t block) const { return motion_of(block).state; }
 
 std::vector<hs_contact> Model::contacts() const {
-  int64_t count = 0;
-  const hs_status status = hs_world_get_contacts(world_.get(), nullptr, 0, &count);
-  require(context_, status);
-  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_contacts(world_.get(), contacts.data(), count, nullptr));
+  std::vector<hs_contact> contacts = contacts_of(context_, world_.get());
   for (hs_contact& contact : contacts) {
     contact.block_a = index_of(contact.block_a);
     contact.block_b = index_of(contact.block_b);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/library.h"
 #include "notes/kinds.h"
 
 namespace halfspace::cli {
@@ -31,16 +32,27 @@ void note_laws(const Start& start, const std::set<int>& used, Faults& faults) {
   }
 }
 
+/// The pairs of materials of all contacts after a first step, which counts flush faces that hold together.
+std::set<std::pair<int, int>> materials_in_contact(const Start& start) {
+  const World world = restored(start.context, start.model.snapshot());
+  (void)hs_world_step(world.get(), 1);  // one that fails leaves the contacts of the start
+  const auto material_of = [&](hs_block block) {
+    hs_block_state state{};
+    require(start.context, hs_world_get_block_state(world.get(), block, &state));
+    return state.material;
+  };
+  std::set<std::pair<int, int>> pairs;
+  for (const hs_contact& contact : contacts_of(start.context, world.get()))
+    pairs.insert(std::minmax(material_of(contact.block_a), material_of(contact.block_b)));
+  return pairs;
+}
+
 /// Cohesion and tensile strength belong to contacts that exist at the start.
 void note_strengths(const Start& start, Faults& faults) {
   if (!any_law(start.scene, holds_together)) return;
-  std::set<std::pair<int, int>> touching;
-  for (const hs_contact& contact : start.model.contacts())
-    touching.insert(std::minmax(start.layout.blocks[contact.block_a].material,
-                                start.layout.blocks[contact.block_b].material));
+  const std::set<std::pair<int, int>> touching = materials_in_contact(start);
   const std::string text =
       "cohesion and tensile_strength act in contacts that exist at the start, and there is none";
-  const std::string remedy = "; flush faces, such as joints of a cut rock, hold together by a [[bond]]";
   std::set<std::pair<int, int>> own;  // pairs of materials with a law of their own
   for (std::size_t i = 0; i < start.scene.laws.size(); ++i) {
     const PairLaw& law = start.scene.laws[i];
@@ -49,12 +61,12 @@ void note_strengths(const Start& start, Faults& faults) {
     const bool differs =
         law.law.cohesion != from.cohesion || law.law.tensile_strength != from.tensile_strength;
     if (differs && holds_together(law.law) && !touching.contains(std::minmax(law.a, law.b)))
-      faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials" + remedy);
+      faults.note(law.place, "law[" + std::to_string(i) + "]", text + " between these materials");
   }
   const bool is_default_used =
       std::any_of(touching.begin(), touching.end(), [&](const auto& pair) { return !own.contains(pair); });
   if (holds_together(start.scene.default_law) && !is_default_used)
-    faults.note(start.scene.places.default_law, "default_law", text + " with this law" + remedy);
+    faults.note(start.scene.places.default_law, "default_law", text + " with this law");
 }
 
 }  // namespace

@@ -89,9 +89,7 @@ WorldPicture picture_of(const Context& context, const hs_world* world, const hs_
     picture.layout.blocks.push_back(std::move(block));
     picture.frame.blocks.push_back(std::move(frame));
   }
-  require(context, hs_world_get_contacts(world, nullptr, 0, &count));
-  picture.frame.contacts.resize(static_cast<std::size_t>(count));
-  require(context, hs_world_get_contacts(world, picture.frame.contacts.data(), count, nullptr));
+  picture.frame.contacts = contacts_of(context, world);
   for (hs_contact& contact : picture.frame.contacts) {
     contact.block_a = index_of.at(contact.block_a);
     contact.block_b = index_of.at(contact.block_b);

@@ -147,8 +147,19 @@ double Spring<D>::shear_limit(const NormalPart& normal, bool bonded) const {
 
 template <int D>
 bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
-  return -normal.force <= law_.tensile_strength * normal.base &&
-         trial.force.norm() <= shear_limit(normal, true);
+  return !is_torn(normal) && trial.force.norm() <= shear_limit(normal, true);
+}
+
+/// A joint fails by its mean tension. Without tensile strength it does where its faces no longer touch: flush
+/// faces have a gap or an overlap by rounding, and dashpots pull on closed faces, too.
+template <int D>
+bool Spring<D>::is_torn(const NormalPart& normal) const {
+  if (law_.tensile_strength > 0) return -normal.force > law_.tensile_strength * normal.base;
+  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
+  const double stiffness = law_.normal_stiffness * (per_area ? normal.base : 1);
+  const double size = D == 2 ? normal.base : std::sqrt(normal.base);
+  const double elastic = normal.force - normal.viscous_force;
+  return -elastic > stiffness * touch_reach * size;
 }
 
 /// Incremental shear spring with the Mohr-Coulomb limit (eqs. 37-40). Where its stiffness decreases, as with

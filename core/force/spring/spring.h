@@ -114,6 +114,7 @@ class Spring {
                          const ShearSpring<D>& spring) const;
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
+  bool is_torn(const NormalPart& normal) const;
   ShearPart shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
                         ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
   PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,

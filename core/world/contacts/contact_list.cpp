@@ -10,10 +10,6 @@
 namespace halfspace {
 namespace {
 
-/// Blocks cut along a joint touch up to rounding. A gap or overlap below this fraction of the smaller radius
-/// counts as a common face.
-constexpr double bond_reach = 1e-6;
-
 /// Bound of the rounding error of a gap, from the largest distances of both blocks from the origin. A corner
 /// rotated by the caller has an error of up to 3 sqrt(2) roundings of that distance; two corners of a face
 /// and one vertex count. Centroids, normal and gap add fewer than four more.
@@ -122,7 +118,7 @@ void ContactList<D>::bond_fresh() {
     Contact<D> contact;
     pair.witness.pair = initial_pair(at.a, at.b, at.to_b, pair.witness);
     describe_contact(at.a, at.b, at.to_b, pair.witness.pair, model_.settings.detect, contact);
-    pair.bonded = std::abs(contact.gap) <= bond_reach * std::min(blocks.radius[a], blocks.radius[b]);
+    pair.bonded = std::abs(contact.gap) <= touch_reach * std::min(blocks.radius[a], blocks.radius[b]);
   }
 }
 
