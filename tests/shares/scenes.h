@@ -49,6 +49,18 @@ inline std::vector<unsigned char> wall_in_plane() {
   return saved(stage.world());
 }
 
+/// A block on a long floor, and another that enters the floor's end just below its top, far from the first.
+inline std::vector<unsigned char> ends_of_floor() {
+  hs_world_def def = world_def();
+  def.time_step = 4e-5;
+  Stage stage(def, law_of(laws_of_stiffness[1], 5e7, 0.3));
+  stage.add(stage.rectangle({-9, -1}, {9, 0}), HS_BLOCK_FIXED);
+  const Shape brick = stage.rectangle({-0.5, -0.5}, {0.5, 0.5});
+  stage.add(brick, HS_BLOCK_RIGID, turned_pose({-8, 0.5 - 1e-6}, 0));
+  stage.add(brick, HS_BLOCK_RIGID, turned_pose({9.5 + 1e-4, 0.5 - 1e-4}, 0), {-1, 0, 0});
+  return saved(stage.world());
+}
+
 /// The same wall in water that covers three of its rows.
 inline std::vector<unsigned char> wall_in_water() {
   const Context context = make_context();

@@ -22,6 +22,10 @@ TEST_CASE("bonds by laws break in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) compare(wall_in_plane(), shares, 8000);
 }
 
+TEST_CASE("a block meets the floor as in the whole world, whatever else touches that", "[shares]") {
+  for (const std::size_t shares : {2, 3}) compare(ends_of_floor(), shares, 40);
+}
+
 TEST_CASE("water acts in shares as in the whole world", "[shares]") {
   for (const std::size_t shares : {2, 3, 8}) compare(wall_in_water(), shares, 4000);
 }

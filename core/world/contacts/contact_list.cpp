@@ -122,28 +122,17 @@ void ContactList<D>::bond_fresh() {
   }
 }
 
-/// The neighbour list is sorted.
-template <int D>
-std::optional<std::size_t> ContactList<D>::pair_between(std::int32_t a, std::int32_t b) const {
-  const std::pair wanted(std::min(a, b), std::max(a, b));
-  const auto pair = std::lower_bound(
-      neighbors_.pairs().begin(), neighbors_.pairs().end(), wanted,
-      [](const Candidate<D>& one, const auto& blocks) { return std::pair(one.a, one.b) < blocks; });
-  if (pair == neighbors_.pairs().end() || std::pair(pair->a, pair->b) != wanted) return {};
-  return std::size_t(pair - neighbors_.pairs().begin());
-}
-
 template <int D>
 bool ContactList<D>::bonds(std::int32_t a, std::int32_t b) const {
   if (!model_.law_between(std::size_t(a), std::size_t(b)).bonds()) return false;
-  const std::optional<std::size_t> pair = pair_between(a, b);
+  const std::optional<std::size_t> pair = neighbors_.pair_between(a, b);
   return pair && neighbors_.pairs()[*pair].bonded;
 }
 
 template <int D>
 void ContactList<D>::add_shear(std::int32_t a, std::int32_t b, const Vector<D>& force,
                                const Vector<D>& normal) {
-  const std::optional<std::size_t> pair = pair_between(a, b);
+  const std::optional<std::size_t> pair = neighbors_.pair_between(a, b);
   if (!pair || neighbors_.shear().empty() || !model_.law_of(neighbors_.pairs()[*pair]).resists_shear())
     return;
   ShearSpring<D>& spring = neighbors_.shear()[*pair];

@@ -197,7 +197,6 @@ class ContactList {
     return {in_chunks.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), count};
   }
   void release_shear(std::size_t k, PairSums& sums);
-  std::optional<std::size_t> pair_between(std::int32_t a, std::int32_t b) const;
   /// False for potential laws in 3D, which compute contacts only at the first detection.
   bool is_always_described(const Candidate<D>& pair) const {
     return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();

@@ -56,15 +56,20 @@ typename Entrances<D>::Way Entrances<D>::way_beside(const Candidate<D>& met, std
   return is_another_way(pair) ? Way{pair, apart.gap} : Way{};
 }
 
+/// A long floor touches blocks that are far from the one that it meets. Of those that touch a fixed or
+/// prescribed block, only neighbours of the met one count: shares know no others.
 template <int D>
 typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
                                                   std::span<const PairSums> found) const {
   const NeighborList<D>& neighbors = contacts_.neighbors();
   Way best;
   for (const std::int32_t block : {met.a, met.b}) {
+    const std::int32_t other = met.a + met.b - block;
+    const bool reaches_far = !model_.blocks.moves_freely(std::size_t(block));
     neighbors.for_each_pair_of(block, [&](std::size_t k) {
       const Candidate<D>& known = neighbors.pairs()[k];
       if (!contacts_.was_in_contact(known) || has_met(k, found)) return;
+      if (reaches_far && !neighbors.pair_between(known.a + known.b - block, other)) return;
       const Way way = way_beside(met, block, known);
       if (way.gap > best.gap) best = way;
     });

@@ -326,6 +326,16 @@ void NeighborList<D>::forget(std::int32_t slot) {
   needs_rebuild_ = true;
 }
 
+template <int D>
+std::optional<std::size_t> NeighborList<D>::pair_between(std::int32_t a, std::int32_t b) const {
+  const std::pair wanted(std::min(a, b), std::max(a, b));
+  const auto pair = std::lower_bound(
+      pairs_.begin(), pairs_.end(), wanted,
+      [](const Candidate<D>& one, const auto& blocks) { return std::pair(one.a, one.b) < blocks; });
+  if (pair == pairs_.end() || std::pair(pair->a, pair->b) != wanted) return {};
+  return std::size_t(pair - pairs_.begin());
+}
+
 /// A counting sort: pairs with the same second block stay in order of their first ones.
 template <int D>
 void NeighborList<D>::index_pairs() noexcept {

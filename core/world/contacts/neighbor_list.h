@@ -136,6 +136,8 @@ class NeighborList {
     auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), slot, is_before);
     for (; pair != pairs_.end() && pair->a == slot; ++pair) visit(std::size_t(pair - pairs_.begin()));
   }
+  /// The pair of two blocks, in either order, if it is in the list.
+  std::optional<std::size_t> pair_between(std::int32_t a, std::int32_t b) const;
   /// Builds the index of pairs by second block, unless it is current. Allocates nothing after
   /// reserve_index().
   void index_pairs() noexcept;
