@@ -215,7 +215,10 @@ class World {
   /// one.
   void set_loads(std::size_t slot, const Vector<D>& force, const Angular<D>& torque, const Tensor<D>& virial);
   EnergyLedger::Sums ledger_sums() const { return ledger_.sums(); }
-  void set_ledger_sums(const EnergyLedger::Sums& sums) { ledger_.set_sums(sums); }
+  void set_ledger_sums(const EnergyLedger::Sums& sums) {
+    ledger_.set_sums(sums);
+    share_.take_all_losses();
+  }
   Momentum<D> momentum() const;
   /// The properties that all shares of this world have, or of the world of which it is a share.
   Share::Common common_of_shares();

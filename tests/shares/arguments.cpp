@@ -197,6 +197,57 @@ TEST_CASE("sums have the momentum about the origin, and setting them does not ch
   CHECK(after[26] == Approx(expected[5]).epsilon(1e-14));
 }
 
+TEST_CASE("losses stay with a share that comes to own all blocks", "[shares]") {
+  const Row row;
+  hs_context* const context = row.context.get();
+  constexpr int friction = 3;
+  const auto loss_of = [](const World& world) {
+    double sums[HS_SUM_COUNT];
+    require_ok(hs_world_get_sums(world.get(), sums), nullptr);
+    return sums[friction];
+  };
+  const auto set_loss = [&](const World& world, double loss) {
+    double sums[HS_SUM_COUNT] = {};
+    sums[friction] = loss;
+    require_ok(hs_world_set_sums(world.get(), sums), context);
+  };
+  const auto cut = [&](const World& from, const std::vector<hs_packed>& blocks) {
+    hs_world* share = nullptr;
+    require_ok(hs_world_assemble(context, from.get(), blocks.data(), std::int64_t(blocks.size()), &share),
+               context);
+    return World(share);
+  };
+  set_loss(row.world, 5);
+  const World a = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN), part(2, HS_ROLE_OWN)});
+  const World b = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(3, HS_ROLE_OWN), part(4, HS_ROLE_OWN)});
+  set_loss(a, 1);
+  set_loss(b, 2);
+  const Records records = packed(context, a.get(), {1, 2}, true);
+  const World all =
+      cut(b, {part(0, HS_ROLE_EVERYWHERE),
+              {1, records.bytes.data(), records.ends[0], HS_ROLE_OWN, 0},
+              {2, records.bytes.data() + records.ends[0], records.ends[1] - records.ends[0], HS_ROLE_OWN, 0},
+              part(3, HS_ROLE_OWN),
+              part(4, HS_ROLE_OWN)});
+  const World none = cut(a, {part(0, HS_ROLE_EVERYWHERE)});
+  CHECK(loss_of(none) + loss_of(all) == 3);
+  CHECK(info_of(all.get()).is_whole == 1);
+  CHECK(loss_of(all) == 2);
+  const std::vector<hs_packed> first = {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN)},
+                               last = {part(0, HS_ROLE_EVERYWHERE), part(4, HS_ROLE_OWN)};
+  CHECK(loss_of(cut(all, last)) == 2);
+  CHECK(loss_of(cut(restored(context, saved(all.get())), last)) == 2);
+  // With the losses of all it is a whole world, and its shares divide them.
+  set_loss(all, 3);
+  CHECK(loss_of(cut(all, last)) == 0);
+  CHECK(loss_of(cut(all, first)) == 3);
+  // One of several shares may own all blocks from the first cut on.
+  const World alone = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN), part(2, HS_ROLE_OWN),
+                                      part(3, HS_ROLE_OWN), part(4, HS_ROLE_OWN)});
+  CHECK(loss_of(alone) == loss_of(row.world));
+  CHECK(loss_of(cut(alone, last)) == loss_of(row.world));
+}
+
 TEST_CASE("damaged records are refused", "[shares]") {
   const Row row;
   require_ok(hs_world_begin(row.world.get()), row.context.get());

@@ -113,7 +113,8 @@ void World<D>::take_settings(World<D>& from, std::span<const PackedBlock> blocks
   const auto is_first = [&](const PackedBlock& block) {
     return block.key == first && block.role == ShareRole::own;
   };
-  if (!from.share_.is_whole() || std::any_of(blocks.begin(), blocks.end(), is_first)) ledger_ = from.ledger_;
+  if (from.share_.has_losses_of_its_own() || std::any_of(blocks.begin(), blocks.end(), is_first))
+    ledger_ = from.ledger_;
 }
 
 /// Adds the blocks in order, so that slot i is that of block i. A pair comes with the record of its first

@@ -19,6 +19,7 @@ std::int32_t Share::slot_of(std::int64_t key, std::size_t slots, std::size_t nea
 }
 
 void Share::end_adding(const Common& common) {
+  has_losses_of_its_own_ = 1;
   const bool has_copies = std::find(roles_.begin(), roles_.end(), ShareRole::neighbor) != roles_.end();
   if (!has_copies && std::int64_t(roles_.size()) == common.blocks) return roles_.clear();
   common_ = common;

@@ -93,6 +93,10 @@ class Share {
   const Common& common() const { return common_; }
   /// Call when all blocks have been added. With all blocks of the world, and no copies, a share is whole.
   void end_adding(const Common& common);
+  /// Are the losses those of this share alone? Those of a whole world go to one of its shares. A share that
+  /// owns all blocks is whole, but others may have losses.
+  bool has_losses_of_its_own() const { return !is_whole() || has_losses_of_its_own_ != 0; }
+  void take_all_losses() { has_losses_of_its_own_ = 0; }
 
   /// Finds the rings, and which own blocks are in ring 1 of another share. `pairs`: of the list in use.
   template <class Pairs>
@@ -139,7 +143,8 @@ class Share {
   /// Snapshots have neither the stage, as they are taken between steps, nor the rings.
   template <class Archive>
   void visit(Archive& archive) {
-    archive(keys_, roles_, is_idle_, common_, slot_of_first_, lost_pairs_, needs_assembly_);
+    archive(keys_, roles_, is_idle_, common_, slot_of_first_, lost_pairs_, needs_assembly_,
+            has_losses_of_its_own_);
   }
   /// `is_fixed(i)`: the block of a slot has one motion everywhere.
   template <class IsFixed>
@@ -175,6 +180,7 @@ class Share {
   std::int32_t slot_of_first_ = -1;  // of the free blocks of all; -1: it is not here
   std::int64_t lost_pairs_ = 0;
   std::int32_t needs_assembly_ = 0;
+  std::int32_t has_losses_of_its_own_ = 0;
   ShareStage stage_ = ShareStage::ready;
 };
 
