@@ -136,10 +136,20 @@ template <int D>
 void require_whole(const World<D>& world, const char* advice) {
   if (!world.share().is_whole()) refuse(HS_ERROR_STATE, "world is a share of a larger world; %s", advice);
 }
-/// The same for what only the whole world can do.
+/// Refuses a step in pieces that has not ended.
+template <int D>
+void require_between_steps(const World<D>& world) {
+  const ShareStage stage = world.share().stage();
+  if (stage == ShareStage::begun || stage == ShareStage::moved)
+    refuse(HS_ERROR_STATE, "world is within a step; call %s first",
+           stage == ShareStage::begun ? "hs_world_end_begin()" : "hs_world_end_step()");
+}
+
+/// Refuses what only the whole world can do, between steps.
 template <int D>
 void require_joined(const World<D>& world) {
   require_whole(world, "join the shares with hs_world_assemble() first");
+  require_between_steps(world);
 }
 
 template <int D>

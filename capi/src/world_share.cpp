@@ -109,6 +109,7 @@ std::span<const std::byte> bytes_of(const hs_packed& block) {
 template <int D>
 hs_world* assemble(hs_context* context, World<D>& from, const hs_packed blocks[], std::int64_t count) {
   require_shareable(from);
+  require_between_steps(from);
   Array<PackedBlock> packed(&context->memory);
   packed.reserve(std::size_t(count));
   for (std::int64_t i = 0; i < count; ++i) {
@@ -201,6 +202,7 @@ hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, in
     if (capacity > 0) require_pointer(bytes, "bytes");
     if (with_shapes != 0 && with_shapes != 1)
       refuse(HS_ERROR_ARGUMENT, "with_shapes is %d; it must be 0 or 1", with_shapes);
+    require_between_steps(w);
     BlockRecord<D> record(&world->context->memory);
     const auto for_each_record = [&](auto use) {
       std::size_t last = 0;
@@ -268,6 +270,7 @@ hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
 hs_status hs_world_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_shareable(w);
+    require_piece(w.share().stage() != ShareStage::moved, "hs_world_end_step()");
     const StepResult result = w.begin_in_share();
     if (result != StepResult::ok) refuse(HS_ERROR_STATE, "the world has no time step");
     w.share().enter(ShareStage::begun);

@@ -13,15 +13,6 @@ struct Header {
   std::uint64_t checksum = 0;
 };
 
-/// A step in pieces has no state that could be continued.
-template <int D>
-void require_between_steps(const World<D>& w) {
-  const ShareStage stage = w.share().stage();
-  if (!w.share().is_whole() && (stage == ShareStage::begun || stage == ShareStage::moved))
-    refuse(HS_ERROR_STATE, "world is within a step; call %s first",
-           stage == ShareStage::begun ? "hs_world_end_begin()" : "hs_world_end_step()");
-}
-
 }  // namespace
 
 hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, size_t* count) {

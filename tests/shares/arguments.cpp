@@ -151,6 +151,36 @@ TEST_CASE("the pieces of a step are called in their order", "[shares]") {
   CHECK(report_of(w).steps == 1);
 }
 
+TEST_CASE("a step that has not ended is neither cut short nor taken for one that has", "[shares]") {
+  using Catch::Contains;
+  const Row row;
+  hs_world* const w = row.world.get();
+  const auto check_refusals = [&](const std::string& call) {
+    const std::int64_t key = 1;
+    std::size_t size = 0;
+    CHECK(hs_world_save(w, nullptr, 0, &size) == HS_ERROR_STATE);
+    CHECK_THAT(row.error(), Contains(call));
+    CHECK(hs_world_pack(w, &key, 1, 0, nullptr, 0, nullptr, &size) == HS_ERROR_STATE);
+    CHECK_THAT(row.error(), Contains(call));
+    CHECK(row.assemble(left) == HS_ERROR_STATE);
+    CHECK_THAT(row.error(), Contains(call));
+    CHECK(hs_world_step(w, 1) == HS_ERROR_STATE);
+    CHECK_THAT(row.error(), Contains(call));
+  };
+  require_ok(hs_world_begin(w), row.context.get());
+  check_refusals("hs_world_end_begin()");
+  require_ok(hs_world_begin(w), row.context.get());
+  require_ok(hs_world_end_begin(w), row.context.get());
+  hs_share_plan plan;
+  require_ok(hs_world_plan_motion(w, &plan), row.context.get());
+  require_ok(hs_world_move(w), row.context.get());
+  check_refusals("hs_world_end_step()");
+  CHECK(hs_world_begin(w) == HS_ERROR_STATE);
+  CHECK_THAT(row.error(), Contains("hs_world_end_step()"));
+  require_ok(hs_world_end_step(w), row.context.get());
+  CHECK(hs_world_step(w, 1) == HS_OK);
+}
+
 TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   const Row row;
   CHECK(row.assemble({part(1, HS_ROLE_OWN), part(0, HS_ROLE_EVERYWHERE)}) == HS_ERROR_ARGUMENT);
