@@ -131,13 +131,16 @@ void World<D>::take_in_met(OnContact on_contact) {
     PairSums& sums = sums_[chunk];
     for (const std::uint32_t k : contacts_.met_in(chunk, sums)) {
       const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      const bool loads_own = share_.loads(pair);
       Contact<D> contact;
       if (contacts_.is_described(pair)) {
-        if (share_.loads(pair) && entrances_.find(k, sums_)) share_.note_entrance(pair);
+        if (loads_own && entrances_.find(k, sums_)) share_.note_entrance(pair);
         entrances_.describe(k, contact);
-        contacts_.note_overlap(k, contact, sums);
+        if (loads_own) contacts_.note_overlap(k, contact, sums);
       }
-      sums.max_penetration_ratio = std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
+      if (loads_own)
+        sums.max_penetration_ratio =
+            std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
       on_contact(k, contact, sums);
     }
   }

@@ -366,6 +366,8 @@ class World {
   void take_pairs(const World& from, const CarriedPairs<D>& pairs);
   void take_contacts(const World& from, const CarriedPairs<D>& pairs);
   void take_settings(World& from, std::span<const PackedBlock> blocks);
+  Peaks peaks() const { return {peak_speed_, contacts_.peak_overlap(), penetration_bound_.noted()}; }
+  void note_peaks(const Peaks& peaks);
   void take_actions(const World& from);
   void load_everywhere();
   StepResult division_in_share();

@@ -62,6 +62,14 @@ inline void check_sums(const std::vector<double>& found, const hs_world* whole) 
   check(angular, HS_SUM_COUNT, 1e-13);
 }
 
+/// The maxima so far are those of all shares.
+inline void check_peaks(hs_world* joined, hs_world* whole) {
+  const hs_world_report found = report_of(joined), expected = report_of(whole);
+  CHECK(found.peak_speed == expected.peak_speed);
+  CHECK(found.peak_overlap == expected.peak_overlap);
+  CHECK(found.max_penetration_ratio == expected.max_penetration_ratio);
+}
+
 struct Seen {
   std::int64_t assemblies = 0;
   std::int64_t migrations = 0;
@@ -84,6 +92,7 @@ inline Seen compare(const std::vector<unsigned char>& start, std::size_t shares,
     check_loads_everywhere(joined.get(), whole.get());
     CHECK(info_of(joined.get()).is_whole == 1);
     check_sums(split.sums(), whole.get());
+    check_peaks(joined.get(), whole.get());
   }
   return {split.assemblies(), split.migrations(), split.entrances()};
 }

@@ -41,6 +41,22 @@ TEST_CASE("bonds by laws are made in shares of a world that was reported", "[sha
   compare(saved(wall.get()), 3, 2000);
 }
 
+TEST_CASE("a law of potentials that shares are given has the length of the whole world", "[shares]") {
+  const std::vector<unsigned char> start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID);
+  const hs_law_def law = law_of(laws_of_stiffness[2], 5e7, 0.4);
+  const Context context = make_context();
+  const World whole = restored(context.get(), start);
+  SplitWorld split(start, 3);
+  require_ok(hs_world_set_default_law(whole.get(), &law), context.get());
+  for (std::size_t i = 0; i < split.count(); ++i)
+    require_ok(hs_world_set_default_law(split.world(i), &law), split.context());
+  split.begin();
+  require_ok(hs_world_step(whole.get(), 1000), context.get());
+  for (int i = 0; i < 1000; ++i) split.step();
+  const World joined = split.joined();
+  CHECK(first_difference(split.context(), joined.get(), context.get(), whole.get()) == "none");
+}
+
 TEST_CASE("shares that were saved go on with the same bits", "[shares]") {
   const std::int32_t kind = GENERATE(std::int32_t(HS_BLOCK_RIGID), std::int32_t(HS_BLOCK_AFFINE));
   const bool is_plane = GENERATE(true, false);

@@ -84,6 +84,13 @@ class SplitWorld {
     begin();
   }
 
+  /// Begins, also after changes alike in all shares.
+  void begin() {
+    for (Share& share : shares_) share.ok(hs_world_begin(share.world.get()));
+    carry_loads();
+    for (Share& share : shares_) share.ok(hs_world_end_begin(share.world.get()));
+  }
+
   void step() {
     hs_share_plan plan = planned();
     if (plan.needs_list || plan.needs_assembly) {
@@ -214,12 +221,6 @@ class SplitWorld {
       all.refusal = std::min(all.refusal, own.refusal);
     }
     return all;
-  }
-
-  void begin() {
-    for (Share& share : shares_) share.ok(hs_world_begin(share.world.get()));
-    carry_loads();
-    for (Share& share : shares_) share.ok(hs_world_end_begin(share.world.get()));
   }
 
   /// All own blocks, by x.

@@ -167,7 +167,6 @@ class ContactList {
   void add_contact(std::size_t k) { touching_.push_back(std::uint32_t(k)); }
   void end_taking_over(const ContactList& from) {
     any_fresh_ = from.any_fresh_;
-    peak_overlap_ = from.peak_overlap_;
     found_ = from.found_;
     fit_room();
   }

@@ -34,6 +34,7 @@ void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) 
   out.state = blocks.state_of(slot);
   std::tie(out.acceleration, out.momentum_rate) = integrator_.rates_of(slot);
   out.entry = neighbors.entry_of(slot);
+  out.peaks = peaks();
   if (with_outline) blocks.copy_outline(std::int32_t(slot), out.outline);
   out.pairs.clear();
   out.plans.clear();
@@ -57,6 +58,13 @@ void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) 
     }
     out.pairs.push_back(memory);
   });
+}
+
+template <int D>
+void World<D>::note_peaks(const Peaks& peaks) {
+  peak_speed_ = std::max(peak_speed_, peaks.speed);
+  contacts_.note_overlap(peaks.overlap);
+  penetration_bound_.note(peaks.penetration_ratio);
 }
 
 template <int D>
@@ -103,12 +111,10 @@ void World<D>::take_settings(World<D>& from, std::span<const PackedBlock> blocks
   model_.settings = from.model_.settings;
   model_.materials = from.model_.materials;
   model_.water = from.model_.water;
-  if (from.knows_potential()) model_.fixed_length = from.model_.potential_length();
   clock_ = from.clock_;
-  peak_speed_ = from.peak_speed_;
   strength_factor_ = from.strength_factor_;
   edited_ = from.edited_;
-  penetration_bound_.note(from.penetration_bound_.noted());
+  note_peaks(from.peaks());
   const std::int64_t first = from.common_of_shares().first_key;
   const auto is_first = [&](const PackedBlock& block) {
     return block.key == first && block.role == ShareRole::own;
@@ -150,6 +156,7 @@ AssemblyFault World<D>::take_blocks(World<D>& from, std::span<const PackedBlock>
     } else {
       model_.blocks.add(record.state, record.outline);
     }
+    note_peaks(record.peaks);
     share_.add(block.key, block.role);
     integrator_.set_rates(i, {record.acceleration, record.momentum_rate});
     if (is_listed) neighbors.add_entry(record.entry, with_gradients);
@@ -250,6 +257,7 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   const AssemblyFault fault = take_blocks(from, blocks, pairs);
   if (fault.kind != AssemblyFault::none) return fault;
   share_.end_adding(from.common_of_shares());
+  if (from.knows_potential() || !share_.is_whole()) model_.fixed_length = from.model_.potential_length();
   take_pairs(from, pairs);
   take_contacts(from, pairs);
   take_actions(from);
@@ -267,6 +275,7 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
                                                      BlockRecord<D>&);                                     \
   template std::int32_t World<D>::living_slot_of(std::int64_t, std::size_t) const;                         \
   template Share::Common World<D>::common_of_shares();                                                     \
+  template void World<D>::note_peaks(const Peaks&);                                                        \
   template void World<D>::take_settings(World<D>&, std::span<const PackedBlock>);                          \
   template AssemblyFault World<D>::take_blocks(World<D>&, std::span<const PackedBlock>, CarriedPairs<D>&); \
   template void World<D>::take_pairs(const World<D>&, const CarriedPairs<D>&);                             \

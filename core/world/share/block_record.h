@@ -26,6 +26,13 @@ struct PairRecord {
   ContactForce<D> force;
 };
 
+/// The maxima of a world's report so far.
+struct Peaks {
+  double speed = 0;
+  double overlap = 0;
+  double penetration_ratio = 0;
+};
+
 /// A block and all that a world keeps of it, in the machine's format of numbers.
 template <int D>
 struct BlockRecord {
@@ -39,6 +46,7 @@ struct BlockRecord {
   Angular<D> momentum_rate = Angular<D>::Zero();
   ListEntry<D> entry;
   OutlineCopy<D> outline;
+  Peaks peaks;  // of the world that it comes from, so that the whole world has those of all shares
   Array<PairRecord<D>> pairs;  // in ascending order of partners
   Array<PlanCode> plans;       // of the pairs, one after the other
 
@@ -47,7 +55,7 @@ struct BlockRecord {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(key, has_outline, is_new, state, acceleration, momentum_rate, entry, pairs, plans);
+    archive(key, has_outline, is_new, state, acceleration, momentum_rate, entry, peaks, pairs, plans);
     if (has_outline) archive(outline);
   }
 };
