@@ -43,7 +43,7 @@ FixHalfspace::FixHalfspace(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) : Fi
     error->all(FLERR, std::string("Illegal fix halfspace command: fix ID all halfspace START [save END]"));
   if (igroup != 0) error->all(FLERR, std::string("fix halfspace moves all atoms; its group is ") + arg[1]);
   if (narg == 6) save_name_ = arg[5];
-  if (!save_name_.empty() && !is_snapshot(save_name_)) std::filesystem::create_directories(save_name_);
+  make_place_for_save();
   time_integrate = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
@@ -64,6 +64,15 @@ FixHalfspace::FixHalfspace(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) : Fi
   atom->add_callback(LAMMPS_NS::Atom::GROW);
 }
 
+/// A run that cannot save its end is refused before it begins.
+void FixHalfspace::make_place_for_save() const {
+  if (save_name_.empty()) return;
+  const std::filesystem::path path = std::filesystem::absolute(save_name_);
+  std::error_code fault;
+  std::filesystem::create_directories(is_snapshot(save_name_) ? path.parent_path() : path, fault);
+  if (fault) error->one(FLERR, "fix halfspace: cannot write " + save_name_ + ": " + fault.message());
+}
+
 FixHalfspace::~FixHalfspace() {
   atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
   memory->destroy(array_atom);
@@ -76,6 +85,7 @@ int FixHalfspace::setmask() {
 
 /// Each process creates those in its part of the box.
 void FixHalfspace::create_atoms() {
+  has_atoms_ = true;
   std::vector<PlacedRecord> blocks = share_->dealt();
   std::vector<tagint> tags;
   tags.reserve(blocks.size() + 1);  // without ids, LAMMPS would choose some
@@ -88,11 +98,7 @@ void FixHalfspace::create_atoms() {
   constexpr int expand_shrunk_box = 1;
   lammps_create_atoms(lmp, int(tags.size()), tags.data(), types.data(), positions.data(), nullptr, nullptr,
                       expand_shrunk_box);
-  const hs_share_info info = share_->info();
-  const std::int64_t free_count = info.whole_count - info.everywhere_count;
-  if (atom->natoms != free_count)
-    error->all(FLERR, "fix halfspace: of " + std::to_string(free_count) + " blocks " +
-                          std::to_string(atom->natoms) + " are in the box");
+  require_atoms();
   const std::set<tagint> here(atom->tag, atom->tag + atom->nlocal);
   for (PlacedRecord& block : blocks)
     if (here.count(block.tag) > 0) share_->record_of(block.tag) = std::move(block.record);
@@ -100,6 +106,9 @@ void FixHalfspace::create_atoms() {
 
 void FixHalfspace::init() {
   const hs_world_report report = share_->report();
+  if (std::strcmp(update->unit_style, "si") != 0)
+    error->all(FLERR, std::string("fix halfspace needs units si; they are ") + update->unit_style);
+  require_atoms();
   if (domain->xperiodic || domain->yperiodic || (domain->dimension == 3 && domain->zperiodic))
     error->all(FLERR, std::string("fix halfspace needs boundaries that are not periodic"));
   if (report.dimension != domain->dimension)
@@ -119,6 +128,19 @@ void FixHalfspace::init() {
     write_atoms();
   }
   prepare_exchange();
+}
+
+/// All blocks must be atoms that this fix has created, or read from a restart file.
+void FixHalfspace::require_atoms() const {
+  if (!has_atoms_)
+    error->all(FLERR, "fix halfspace: the box had " + std::to_string(atom->natoms) +
+                          " atoms before the fix, which creates those of its blocks: use one fix halfspace, "
+                          "under its old ID after read_restart, and delete_atoms group all before another");
+  const hs_share_info info = share_->info();
+  const std::int64_t free_count = info.whole_count - info.everywhere_count;
+  if (atom->natoms != free_count)
+    error->all(FLERR, "fix halfspace: of " + std::to_string(free_count) + " blocks " +
+                          std::to_string(atom->natoms) + " are in the box");
 }
 
 void FixHalfspace::pre_exchange() {
@@ -177,12 +199,22 @@ void FixHalfspace::divide() {
   copies_.resize(copy_count);
   for (std::size_t i = 0; i < own_count; ++i) own_[i] = key_of(atom->tag[i]);
   for (std::size_t i = 0; i < copy_count; ++i) copies_[i] = key_of(atom->tag[own_count + i]);
+  require_no_lost_atoms();
   share_->assemble(own_, copies_);
   if (share_->info().lost_pairs > 0)
     error->one(FLERR, std::string("fix halfspace: copies do not reach far enough"));
   places_.resize(own_count);
   for (std::size_t i = 0; i < own_count; ++i) places_[i] = share_->place_of(atom->tag[i]);
   is_stale_ = false;
+}
+
+/// LAMMPS drops atoms that leave a fixed box, and says so later.
+void FixHalfspace::require_no_lost_atoms() const {
+  LAMMPS_NS::bigint count = atom->nlocal;
+  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (count != atom->natoms)
+    error->all(FLERR, "fix halfspace: " + std::to_string(atom->natoms - count) + " of " +
+                          std::to_string(atom->natoms) + " blocks have left the box");
 }
 
 void FixHalfspace::carry_loads() {
@@ -327,6 +359,7 @@ void FixHalfspace::write_restart(FILE* file) {
 }
 
 void FixHalfspace::restart(char* bytes) {
+  has_atoms_ = true;
   std::uint64_t size = 0;
   std::memcpy(&size, bytes, sizeof size);
   share_ = std::make_unique<Share>(lmp, Bytes(bytes + sizeof size, bytes + sizeof size + size));

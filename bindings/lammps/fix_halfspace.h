@@ -43,7 +43,10 @@ class FixHalfspace : public LAMMPS_NS::Fix {
   void restart(char* bytes) override;
 
  private:
+  void make_place_for_save() const;
   void create_atoms();
+  void require_atoms() const;
+  void require_no_lost_atoms() const;
   void prepare_exchange();
   void divide();
   void carry_loads();
@@ -54,8 +57,9 @@ class FixHalfspace : public LAMMPS_NS::Fix {
   std::unique_ptr<Share> share_;
   std::string save_name_;
   hs_share_plan plan_{};
-  bool is_stale_ = true;  // atoms may have changed processes since the last assembly
-  int chunk_ = -1;        // of the records that copies receive; -1: they receive loads
+  bool has_atoms_ = false;  // created by this fix, or of its restart file
+  bool is_stale_ = true;    // atoms may have changed processes since the last assembly
+  int chunk_ = -1;          // of the records that copies receive; -1: they receive loads
   std::size_t longest_record_ = 0;
   std::size_t load_length_ = 0;
   std::vector<std::size_t> places_;  // of own atoms among the blocks of the share

@@ -85,6 +85,16 @@ TEST_CASE("fix halfspace refuses worlds, files and boxes that it cannot move", "
   const std::string far = "units si\ndimension 2\nboundary f f p\nregion box block 30 40 30 40 -0.5 0.5\n";
   has(plane.error(far + "create_box 1 box\nmass 1 1\n" + fix + start + run), "of 80 blocks 0 are in the box");
 
+  const std::string open = "dimension 2\nboundary f f p\nregion box block -40 40 0.2 40 -0.5 0.5\n";
+  const std::string one = "create_box 1 box\nmass 1 1\n" + fix + start;
+  has(plane.error("units lj\n" + open + one + run), "needs units si; they are lj");
+  has(plane.error("units si\n" + open + one + "\nrun 5000\n"), "have left the box");
+  has(plane.error(plane.box() + fix + start + " save /dev/null/end" + run), "cannot write /dev/null/end");
+  has(plane.error(plane.box() + fix + start + "\nfix more all halfspace " + start + run),
+      "use one fix halfspace");
+  has(plane.error(plane.box() + fix + start + run + "delete_atoms group all" + run),
+      "of 80 blocks 0 are in the box");
+
   const LammpsRun space(heap_in_space(laws_of_stiffness[0], HS_BLOCK_RIGID), false);
   has(space.error(plane.box() + fix + space.file("start.hsw") + run),
       "the world's dimension is 3, that of the box 2");
