@@ -41,6 +41,7 @@ class Joint {
 
   World whole() {
     for (const Records& records : records_) records.add_to(blocks_, HS_ROLE_OWN);
+    require_each_once();
     World whole = assembled(context_, first_.get(), std::move(blocks_));
     const hs_share_info info = share_info_of(context_, whole.get());
     if (!info.is_whole)
@@ -51,6 +52,17 @@ class Joint {
   }
 
  private:
+  /// A directory may still have shares of an earlier run.
+  void require_each_once() {
+    std::sort(blocks_.begin(), blocks_.end(),
+              [](const hs_packed& a, const hs_packed& b) { return a.key < b.key; });
+    const auto twice =
+        std::adjacent_find(blocks_.begin(), blocks_.end(),
+                           [](const hs_packed& a, const hs_packed& b) { return a.key == b.key; });
+    if (twice != blocks_.end())
+      throw std::runtime_error("block " + std::to_string(twice->key) +
+                               " is in two shares; remove those of another run");
+  }
   void add_sums(const hs_world* share) {
     std::array<double, HS_SUM_COUNT> own;
     require(context_, hs_world_get_sums(share, own.data()));
