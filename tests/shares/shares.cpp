@@ -57,6 +57,26 @@ TEST_CASE("a law of potentials that shares are given has the length of the whole
   CHECK(first_difference(split.context(), joined.get(), context.get(), whole.get()) == "none");
 }
 
+TEST_CASE("a torque on an affine block counts once, whoever has copies", "[shares]") {
+  const std::vector<unsigned char> start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_AFFINE);
+  const Context context = make_context();
+  const World whole = restored(context.get(), start);
+  SplitWorld split(start, 3);
+  require_ok(hs_world_step(whole.get(), 1000), context.get());
+  for (int i = 0; i < 1000; ++i) split.step();
+  const auto turn_all = [](hs_world* world) {
+    std::vector<hs_block> blocks(roles_of(world).size());
+    require_ok(hs_world_get_blocks(world, blocks.data(), std::int64_t(blocks.size()), nullptr), nullptr);
+    const double force[] = {0, 0, 0}, torque[] = {0, 0, 1e4};
+    for (const hs_block block : blocks)
+      if (state_of(world, block).kind == HS_BLOCK_AFFINE)
+        require_ok(hs_world_set_applied_force(world, block, force, torque), nullptr);
+  };
+  turn_all(whole.get());
+  for (std::size_t i = 0; i < split.count(); ++i) turn_all(split.world(i));
+  check_sums(split.sums(), whole.get());
+}
+
 TEST_CASE("shares that were saved go on with the same bits", "[shares]") {
   const std::int32_t kind = GENERATE(std::int32_t(HS_BLOCK_RIGID), std::int32_t(HS_BLOCK_AFFINE));
   const bool is_plane = GENERATE(true, false);

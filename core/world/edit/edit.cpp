@@ -143,7 +143,7 @@ void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, cons
   const std::size_t s = std::size_t(slot);
   if (force != model_.blocks.applied_force[s] || torque != model_.blocks.applied_torque[s])
     wake(sleep_.wake_island_of(s, clock_.time()));
-  if (model_.blocks.is_affine(s))
+  if (model_.blocks.is_affine(s) && share_.is_own(s))
     ledger_.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
   model_.blocks.applied_force[s] = force;
   model_.blocks.applied_torque[s] = torque;
