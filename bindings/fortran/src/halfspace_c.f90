@@ -1475,11 +1475,11 @@ module halfspace_c
     end function hs_world_set_shear_force
 
     !> Saves a snapshot of the complete state. A restored world continues bit for bit.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share
-    !! within a step)
+    !! Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (within a
+    !! step)
     function hs_world_save(world, bytes, capacity, count) bind(c)
       import
-      type(c_ptr), value :: world  !< not NULL; a share between two steps
+      type(c_ptr), value :: world  !< not NULL, not within a step in pieces (share.h)
       type(c_ptr), value :: bytes  !< receives it; may be NULL if capacity is 0
       integer(c_size_t), value :: capacity  !< in bytes
       integer(c_size_t), intent(out) :: count  !< receives the size of the snapshot in bytes; not NULL
@@ -2286,7 +2286,8 @@ module halfspace_c
     end function hs_world_set_time_step
 
     !> Names the blocks, so that loads are summed in the same order in all shares. By default a block's key is
-    !! its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    !! its place in hs_world_get_blocks(), with gaps where blocks were removed. Blocks that are added or
+    !! removed later end these keys.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
     function hs_world_set_keys(world, keys, count) bind(c)
       import
@@ -2332,8 +2333,8 @@ module halfspace_c
     !> Packs blocks, one after the other: their motion, their entries in the list of pairs, and the memory of
     !! their pairs, in the machine's format of numbers. Only a block's own share packs it, or any for blocks
     !! that are everywhere.
-    !! Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
-    !! (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STATE
+    !! (within a step), HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_pack(world, keys, count, with_shapes, bytes, capacity, ends, needed) bind(c)
       import
       type(c_ptr), value :: world  !< a share or a whole world
@@ -2350,15 +2351,16 @@ module halfspace_c
     !> Makes a world of blocks: a share, or the whole world again where all its blocks are own ones. Settings,
     !! laws, clock, and losses so far are those of `from`; of several shares of a whole world, that which owns
     !! its first free block takes the losses. The list of pairs in use stays in use, until it is renewed.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold),
-    !! HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
-    !! HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold, or is within a
+    !! step), HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged
+    !! bytes) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_assemble(context, from, blocks, count, share) bind(c)
       import
       type(c_ptr), value :: context  !< as that of `from`, or another one
       type(c_ptr), value :: from  !< a share or a whole world; it does not change, and may be destroyed afterwards
       !> in ascending order of keys: all own blocks of the new share, copies of all blocks within its halo,
-      !! and all blocks that are everywhere. Copies need bytes of the present motion.
+      !! and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks are new,
+      !! in this order
       type(c_ptr), value :: blocks
       integer(c_int64_t), value :: count  !< number of blocks
       type(c_ptr), intent(out) :: share  !< receives the world; destroy it with hs_world_destroy()

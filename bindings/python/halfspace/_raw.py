@@ -2148,7 +2148,8 @@ def declare(library: Any) -> None:
     library.hs_world_set_time_step.restype = hs_status
 
     # Names the blocks, so that loads are summed in the same order in all shares. By default a block's key is
-    # its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    # its place in hs_world_get_blocks(), with gaps where blocks were removed. Blocks that are added or
+    # removed later end these keys.
     library.hs_world_set_keys.argtypes = [
         POINTER(hs_world),  # world
         c_void_p,  # keys

@@ -15,10 +15,13 @@
  *  actions but for servos. hs_world_assemble() refuses, by name: meshes, bonds of bond.h, compounds, bolts,
  *  servos, sleep, laws without springs, and worlds without a given time step. A share cannot be relaxed, and no
  *  block or action is added to it or removed, and no block is placed: join the shares first. Between steps it
- *  can be saved by hs_world_save() with its copies and keys, and restored in another run. Laws, gravity and
- *  damping may be changed between steps, alike in all shares, as may velocities and applied forces, alike in
- *  all shares that hold the block; then hs_world_begin() and hs_world_end_begin() follow. See
- *  docs/concepts/shares.md.
+ *  can be saved by hs_world_save() with its copies and keys, and restored in another run.
+ *
+ *  Laws, gravity, damping and the time step may be changed between steps, alike in all shares; then all shares
+ *  are assembled, and hs_world_begin() and hs_world_end_begin() follow. Applied forces may be changed alike in
+ *  all shares that hold the block. So may velocities, but then all shares have to begin: those that do not hold
+ *  the block are given their time step again. A law of potentials that comes later needs a given
+ *  potential_length where blocks are affine. See docs/concepts/shares.md.
  */
 #ifndef HALFSPACE_SHARE_H
 #define HALFSPACE_SHARE_H
@@ -81,7 +84,8 @@ typedef struct hs_share_plan {
 } hs_share_plan;
 
 /** @brief Names the blocks, so that loads are summed in the same order in all shares. By default a block's key
- *  is its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+ *  is its place in hs_world_get_blocks(), with gaps where blocks were removed. Blocks that are added or removed
+ *  later end these keys.
  *  @param world whole, not a share
  *  @param keys ascending, in the order of hs_world_get_blocks()
  *  @param count the number of blocks
@@ -120,7 +124,8 @@ HS_CHECKED hs_status hs_world_get_share_info(hs_world *world, hs_share_info *inf
  *  @param ends receives, per key, where its bytes end; may be NULL
  *  @param needed receives the number of bytes of all blocks
  *  @return HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT,
- *          HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY */
+ *          HS_ERROR_STATE (within a step), HS_ERROR_STALE_ID (no own block has that key) or
+ *          HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_t count, int32_t with_shapes,
                                    void *bytes, size_t capacity, size_t ends[], size_t *needed);
 
@@ -130,11 +135,12 @@ HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_
  *  @param context as that of `from`, or another one
  *  @param from a share or a whole world; it does not change, and may be destroyed afterwards
  *  @param blocks in ascending order of keys: all own blocks of the new share, copies of all blocks within its
- *         halo, and all blocks that are everywhere. Copies need bytes of the present motion.
+ *         halo, and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks
+ *         are new, in this order
  *  @param count number of blocks
  *  @param share receives the world; destroy it with hs_world_destroy()
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold), HS_ERROR_STALE_ID (a
- *          block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold, or is within a step),
+ *          HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
  *          HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_assemble(hs_context *context, hs_world *from, const hs_packed blocks[],
                                        int64_t count, hs_world **share);

@@ -340,11 +340,11 @@ HS_CHECKED hs_status hs_world_set_shear_force(hs_world *world, hs_block block_a,
                                               const double shear_force[3]);
 
 /** @brief Saves a snapshot of the complete state. A restored world continues bit for bit.
- *  @param world not NULL; a share between two steps
+ *  @param world not NULL, not within a step in pieces (share.h)
  *  @param bytes receives it; may be NULL if capacity is 0 @param capacity in bytes
  *  @param count receives the size of the snapshot in bytes; not NULL
- *  @return HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share
- *          within a step) */
+ *  @return HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (within
+ *          a step) */
 HS_CHECKED hs_status hs_world_save(const hs_world *world, void *bytes, size_t capacity, size_t *count);
 
 /** @brief Creates a world from a snapshot, with the same ids, materials and laws.

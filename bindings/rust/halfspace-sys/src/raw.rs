@@ -2152,13 +2152,13 @@ extern "C" {
 
     /// Saves a snapshot of the complete state. A restored world continues bit for bit.
     ///
-    /// - `world`: not NULL; a share between two steps
+    /// - `world`: not NULL, not within a step in pieces (share.h)
     /// - `bytes`: receives it; may be NULL if capacity is 0
     /// - `capacity`: in bytes
     /// - `count`: receives the size of the snapshot in bytes; not NULL
     ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (a share
-    /// within a step)
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (nothing was written), HS_ERROR_ARGUMENT or HS_ERROR_STATE (within a
+    /// step)
     pub fn hs_world_save(
         world: *const hs_world,
         bytes: *mut c_void,
@@ -3146,7 +3146,8 @@ extern "C" {
     pub fn hs_world_set_time_step(world: *mut hs_world, time_step: f64) -> hs_status;
 
     /// Names the blocks, so that loads are summed in the same order in all shares. By default a block's key
-    /// is its place in hs_world_get_blocks(). Blocks that are added or removed later end these keys.
+    /// is its place in hs_world_get_blocks(), with gaps where blocks were removed. Blocks that are added or
+    /// removed later end these keys.
     ///
     /// - `world`: whole, not a share
     /// - `keys`: ascending, in the order of hs_world_get_blocks()
@@ -3212,8 +3213,8 @@ extern "C" {
     /// - `ends`: receives, per key, where its bytes end; may be NULL
     /// - `needed`: receives the number of bytes of all blocks
     ///
-    /// Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID
-    /// (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_NOTE_TRUNCATED (then `bytes` is not written), HS_ERROR_ARGUMENT, HS_ERROR_STATE
+    /// (within a step), HS_ERROR_STALE_ID (no own block has that key) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_pack(
         world: *mut hs_world,
         keys: *const i64,
@@ -3233,13 +3234,14 @@ extern "C" {
     /// - `context`: as that of `from`, or another one
     /// - `from`: a share or a whole world; it does not change, and may be destroyed afterwards
     /// - `blocks`: in ascending order of keys: all own blocks of the new share, copies of all blocks within
-    ///   its halo, and all blocks that are everywhere. Copies need bytes of the present motion.
+    ///   its halo, and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks
+    ///   are new, in this order
     /// - `count`: number of blocks
     /// - `share`: receives the world; destroy it with hs_world_destroy()
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold),
-    /// HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged bytes) or
-    /// HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold, or is within a
+    /// step), HS_ERROR_STALE_ID (a block without bytes that `from` does not own), HS_ERROR_FORMAT (damaged
+    /// bytes) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_assemble(
         context: *mut hs_context,
         from: *mut hs_world,
