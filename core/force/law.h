@@ -11,8 +11,8 @@ namespace halfspace {
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
-/// Blocks cut along a joint touch up to rounding. A gap or overlap below this fraction of the block's size, its
-/// radius or that of the face, counts as a common face.
+/// Blocks cut along a joint touch up to rounding. A gap or overlap below this fraction of the block's size,
+/// its radius or that of the face, counts as a common face.
 constexpr double touch_reach = 1e-6;
 
 /// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same

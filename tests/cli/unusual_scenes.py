@@ -377,7 +377,7 @@ class UnusualScenes(unittest.TestCase):
         law = '[[law]]\nbetween = ["clay", "soil"]\nfriction_angle = 20\n'
         self.assert_one(edited(PILE, "[default_law]", unused + "[default_law]") + law, r'law\[1\]\.between: no block is of "clay"')
         apart = edited(PILE, "friction_angle = 25", "friction_angle = 25\ncohesion = 1e5", "[[0, 0], [1, 0]", "[[0, 0.5], [1, 0.5]")
-        self.assert_one(apart, r"law\[0\]: cohesion and tensile_strength act in contacts that exist at the start, and there is none.* by a \[\[bond\]\]")
+        self.assert_one(apart, r"law\[0\]: cohesion and tensile_strength act in contacts that exist at the start, and there is none")
 
     def test_bolts_whose_stage_would_end_the_run(self):
         stages = '[[stage]]\ndo = "run"\nduration = 0.1\n[[stage]]\ndo = "run"\nduration = 0.1\ninstall = ["late"]\n'
