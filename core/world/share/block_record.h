@@ -20,11 +20,17 @@ struct PairRecord {
   PairCache<D> witness;
   std::int32_t bonded = 0;
   std::int32_t is_in_contact = 0;
-  std::int32_t plan_length = 0;  // of the division plan, if any
-  std::int32_t reserved = 0;
+  std::int32_t plan_length = 0;                // of the division plan, if any
+  std::int32_t reserved[D == 2 ? 3 : 1] = {};  // explicit padding, so that all bytes are defined
   ShearSpring<D> shear;
   ContactForce<D> force;
 };
+template <int D>
+constexpr std::size_t size_of_pair_members = sizeof(std::int64_t) + sizeof(PairCache<D>) +
+                                             3 * sizeof(std::int32_t) + sizeof(PairRecord<D>::reserved) +
+                                             sizeof(ShearSpring<D>) + sizeof(ContactForce<D>);
+static_assert(sizeof(PairRecord<2>) == size_of_pair_members<2> &&
+              sizeof(PairRecord<3>) == size_of_pair_members<3>);
 
 /// The maxima of a world's report so far.
 struct Peaks {
