@@ -138,14 +138,6 @@ std::vector<std::vector<int>> faces_of(const Context& context, const Shape& shap
   return faces;
 }
 
-std::vector<hs_contact> contacts_of(const Context& context, const hs_world* world) {
-  int64_t count = 0;
-  require(context, hs_world_get_contacts(world, nullptr, 0, &count));
-  std::vector<hs_contact> contacts(static_cast<std::size_t>(count));
-  require(context, hs_world_get_contacts(world, contacts.data(), count, nullptr));
-  return contacts;
-}
-
 std::string snapshot_of(const Context& context, const hs_world* world) {
   std::size_t size = 0;
   require(context, hs_world_save(world, nullptr, 0, &size));

@@ -89,8 +89,17 @@ std::vector<HalfSpace> halfspaces_of(const Context& context, const Shape& shape)
 /// The faces of a polyhedron as loops of vertices, counter-clockwise seen from outside.
 std::vector<std::vector<int>> faces_of(const Context& context, const Shape& shape);
 
-/// The contacts of the last detection, between ids of the world.
-std::vector<hs_contact> contacts_of(const Context& context, const hs_world* world);
+/// All records of a world that a function of the library gives, as hs_world_get_contacts. @throws
+/// LibraryError
+template <class Record>
+std::vector<Record> all_records(const Context& context, const hs_world* world,
+                                hs_status (*get)(const hs_world*, Record[], int64_t, int64_t*)) {
+  int64_t count = 0;
+  require(context, get(world, nullptr, 0, &count));
+  std::vector<Record> records(static_cast<std::size_t>(count));
+  require(context, get(world, records.data(), count, nullptr));
+  return records;
+}
 
 /// A world as hs_world_save() writes it, and back. @throws LibraryError
 std::string snapshot_of(const Context& context, const hs_world* world);

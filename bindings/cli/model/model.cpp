@@ -28,14 +28,6 @@ void set_velocity(hs_block_def& def, const Motion& motion) {
   std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
 }
 
-std::vector<hs_bond> all_bonds(const Context& context, const hs_world* world) {
-  int64_t count = 0;
-  require(context, hs_world_get_bonds(world, nullptr, 0, &count));
-  std::vector<hs_bond> bonds(static_cast<std::size_t>(count));
-  require(context, hs_world_get_bonds(world, bonds.data(), count, nullptr));
-  return bonds;
-}
-
 }  // namespace
 
 Model::Model(const Context& context, const Scene& scene, Layout layout)
@@ -90,7 +82,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   for (std::size_t body = 0; body < bodies_.size(); ++body) load_nodes(body);
   for (const PairBond& pair : scene.bonds)
     require(context, hs_world_bond_materials(world, pair.a, pair.b, &pair.def, nullptr));
-  for (const hs_bond& bond : all_bonds(context, world))
+  for (const hs_bond& bond : all_records(context, world, hs_world_get_bonds))
     bonded_.emplace_back(index_of(bond.block_a), index_of(bond.block_b));
   set_water();
   prepare_bolts();
@@ -132,7 +124,7 @@ void Model::add(const LayoutCompound& given) {
 /// Gives the shear stress of the start to the joints that resist it.
 void Model::preload_joints(const Scene& scene) {
   require(context_, hs_world_detect(world_.get(), nullptr));
-  for (const hs_contact& contact : contacts_of(context_, world_.get())) {
+  for (const hs_contact& contact : all_records(context_, world_.get(), hs_world_get_contacts)) {
     const LayoutBlock& a = layout_.blocks[index_of(contact.block_a)];
     const LayoutBlock& b = layout_.blocks[index_of(contact.block_b)];
     const hs_law_def& law = law_between(scene, a.material, b.material);
@@ -224,7 +216,7 @@ std::vector<hs_bond_event> Model::bond_events() const {
 }
 
 std::vector<hs_bond> Model::bonds() const {
-  std::vector<hs_bond> bonds = all_bonds(context_, world_.get());
+  std::vector<hs_bond> bonds = all_records(context_, world_.get(), hs_world_get_bonds);
   for (std::size_t i = 0; i < bonds.size(); ++i) {
     bonds[i].block_a = bonded_[i].first;
     bonds[i].block_b = bonded_[i].second;
@@ -315,7 +307,7 @@ BlockFrame Model::motion_of(std::size_t block) const {
 hs_block_state Model::state_of(std::size_t block) const { return motion_of(block).state; }
 
 std::vector<hs_contact> Model::contacts() const {
-  std::vector<hs_contact> contacts = contacts_of(context_, world_.get());
+  std::vector<hs_contact> contacts = all_records(context_, world_.get(), hs_world_get_contacts);
   for (hs_contact& contact : contacts) {
     contact.block_a = index_of(contact.block_a);
     contact.block_b = index_of(contact.block_b);

@@ -60,10 +60,8 @@ bool Model::has_parts_of_layout() const {
   if (released_.size() != bodies_.size()) return false;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     if (!is_excavated(body) && !has_body_of_layout(body)) return false;
-  int64_t count = 0, bonds = 0;
-  (void)hs_world_get_blocks(world_.get(), nullptr, 0, &count);
-  std::vector<hs_block> all(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_blocks(world_.get(), all.data(), count, nullptr));
+  const std::vector<hs_block> all = all_records(context_, world_.get(), hs_world_get_blocks);
+  int64_t bonds = 0;
   (void)hs_world_get_bonds(world_.get(), nullptr, 0, &bonds);
   return static_cast<std::size_t>(bonds) == bonded_.size() && has_bolts_of_scene() &&
          std::all_of(all.begin(), all.end(), [&](hs_block block) { return is_of_layout(block); });

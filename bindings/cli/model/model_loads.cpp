@@ -119,10 +119,7 @@ void Model::install(std::size_t index) {
 }
 
 std::vector<hs_bolt> Model::bolts() const {
-  int64_t count = 0;
-  (void)hs_world_get_bolts(world_.get(), nullptr, 0, &count);
-  std::vector<hs_bolt> bolts(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_bolts(world_.get(), bolts.data(), count, nullptr));
+  std::vector<hs_bolt> bolts = all_records(context_, world_.get(), hs_world_get_bolts);
   for (hs_bolt& bolt : bolts)
     bolt.number = std::find(bolt_numbers_.begin(), bolt_numbers_.end(), bolt.number) - bolt_numbers_.begin();
   return bolts;

@@ -3,12 +3,8 @@
 namespace halfspace::cli {
 
 std::vector<std::string> Model::names() const {
-  int64_t count = 0;
-  require(context_, hs_world_get_blocks(world_.get(), nullptr, 0, &count));
-  std::vector<hs_block> blocks(static_cast<std::size_t>(count));
-  require(context_, hs_world_get_blocks(world_.get(), blocks.data(), count, nullptr));
   std::vector<std::string> names;
-  for (const hs_block block : blocks) {
+  for (const hs_block block : all_records(context_, world_.get(), hs_world_get_blocks)) {
     const auto compound = index_of_compound_.find(block);
     if (compound == index_of_compound_.end()) {
       names.push_back(layout_.blocks[index_of(block)].name);

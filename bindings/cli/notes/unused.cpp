@@ -42,7 +42,7 @@ std::set<std::pair<int, int>> materials_in_contact(const Start& start) {
     return state.material;
   };
   std::set<std::pair<int, int>> pairs;
-  for (const hs_contact& contact : contacts_of(start.context, world.get()))
+  for (const hs_contact& contact : all_records(start.context, world.get(), hs_world_get_contacts))
     pairs.insert(std::minmax(material_of(contact.block_a), material_of(contact.block_b)));
   return pairs;
 }

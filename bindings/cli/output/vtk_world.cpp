@@ -64,10 +64,7 @@ class CellStates {
 WorldPicture picture_of(const Context& context, const hs_world* world, const hs_pose* start) {
   hs_world_report report;
   require(context, hs_world_get_report(const_cast<hs_world*>(world), &report, sizeof report));
-  int64_t count = 0;
-  require(context, hs_world_get_blocks(world, nullptr, 0, &count));
-  std::vector<hs_block> blocks(static_cast<std::size_t>(count));
-  require(context, hs_world_get_blocks(world, blocks.data(), count, nullptr));
+  const std::vector<hs_block> blocks = all_records(context, world, hs_world_get_blocks);
   WorldPicture picture;
   picture.layout.dimension = report.dimension;
   picture.frame.time = report.time;
@@ -89,7 +86,7 @@ WorldPicture picture_of(const Context& context, const hs_world* world, const hs_
     picture.layout.blocks.push_back(std::move(block));
     picture.frame.blocks.push_back(std::move(frame));
   }
-  picture.frame.contacts = contacts_of(context, world);
+  picture.frame.contacts = all_records(context, world, hs_world_get_contacts);
   for (hs_contact& contact : picture.frame.contacts) {
     contact.block_a = index_of.at(contact.block_a);
     contact.block_b = index_of.at(contact.block_b);

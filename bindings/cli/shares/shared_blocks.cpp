@@ -5,12 +5,8 @@
 namespace halfspace::cli {
 
 SharedBlocks::SharedBlocks(const Context& context, const hs_world* world) {
-  std::int64_t count = 0;
-  require(context, hs_world_get_keys(world, nullptr, 0, &count));
-  keys.resize(std::size_t(count));
-  roles.resize(std::size_t(count));
-  require(context, hs_world_get_keys(world, keys.data(), count, nullptr));
-  require(context, hs_world_get_roles(world, roles.data(), count, nullptr));
+  keys = all_records(context, world, hs_world_get_keys);
+  roles = all_records(context, world, hs_world_get_roles);
 }
 
 std::vector<std::int64_t> SharedBlocks::keys_of(std::int32_t role) const {
