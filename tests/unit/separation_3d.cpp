@@ -6,6 +6,7 @@
 #include "narrow_phase/space/potential_pairs.h"
 #include "narrow_phase/space/separation.h"
 #include "polyhedra.h"
+#include "rotations.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
@@ -140,6 +141,65 @@ TEST_CASE("cubes stacked face on face touch without overlap, and overlap by what
       }
     }
   }
+}
+
+/// Prisms of a point-symmetric base, so that the centroid is the origin to rounding.
+static Cloud prism(const Cloud& half_of_base, double half_height, const Rotation<3>& turn) {
+  Cloud corners;
+  for (const Vector<3>& p : half_of_base) {
+    for (const double side : {1.0, -1.0}) {
+      for (const double up : {half_height, -half_height})
+        corners.push_back(turn * Vector<3>(side * p.x(), up, side * p.z()));
+    }
+  }
+  return corners;
+}
+
+/// An outline with normals that are as inaccurate as those of faces which were cut.
+class WithRoundedNormals {
+ public:
+  WithRoundedNormals(const Outline<3>& outline, Random& random) : outline_(outline) {
+    const double* of_outline[] = {outline.nx, outline.ny, outline.nz};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double* components = of_outline[axis];
+      normals_[axis].assign(components, components + Outline<3>::padded(outline.face_count()));
+      for (double& component : normals_[axis]) component += random.uniform(-1e-16, 1e-16);
+    }
+    outline_.nx = normals_[0].data();
+    outline_.ny = normals_[1].data();
+    outline_.nz = normals_[2].data();
+  }
+  WithRoundedNormals(const WithRoundedNormals&) = delete;
+  const Outline<3>& outline() const { return outline_; }
+
+ private:
+  std::vector<double> normals_[3];
+  Outline<3> outline_;
+};
+
+/// The edges around the cut are parallel to rounding, and the sign of their common normal is noise.
+TEST_CASE("two parts of a cut block touch at their faces in the cut") {
+  Random random(4);
+  int overlapping = 0;
+  for (int round = 0; round < 1000; ++round) {
+    Cloud half_of_base;
+    for (int i = random.integer(2, 3); i > 0; --i) half_of_base.push_back(random_vector(random, -1, 1));
+    const Rotation<3> turn = round % 2 == 0 ? Rotation<3>() : random_turn(random);
+    const Shape<3> shape = shape_of(hull_of(prism(half_of_base, 0.5, turn)));
+    const WithRoundedNormals rounded_a(shape.outline(), random), rounded_b(shape.outline(), random);
+    const Outline<3>&a = rounded_a.outline(), &b = rounded_b.outline();
+    const Vector<3> across = turn * Vector<3>(0, 1, 0);
+    const Vector<3> to_b = round % 3 == 0 ? across : Vector<3>(across + 1e-16 * random_direction(random));
+    for (const Separation<3>& found : {find_separation_by_all(a, b, to_b), by_descent(a, b, to_b)}) {
+      if (found.gap > 0) continue;
+      ++overlapping;
+      CAPTURE(round, found.gap, found.pair.kind);
+      const Vector<3> normal = normal_of(a, b, found.pair);
+      CHECK(normal.dot(across) > 1 - 1e-12);
+      CHECK(gap_along(normal, a, b, to_b) == Approx(found.gap).margin(1e-13));
+    }
+  }
+  CHECK(overlapping > 500);
 }
 
 TEST_CASE("blocks with one centroid overlap by the least distance between their faces") {

@@ -83,14 +83,15 @@ Separation<3> at_face_of_b(const MinkowskiDifference<Turn>& difference, const Fo
           normal};
 }
 
-/// An edge of each block at the facet. The gap is -infinity when they are parallel.
+/// An edge of each block at the facet. The gap is -infinity when they are all but parallel.
 template <class Turn>
 Separation<3> at_edges(const MinkowskiDifference<Turn>& difference, const FoundFacet& facet, int edge_of_a,
                        int edge_of_b) {
   const PotentialPair<3> pair{PotentialPair<3>::edge_edge, edge_of_a, edge_of_b};
   const Vector<3> along_b = difference.from_frame_of_b(edge_vector(difference.b(), edge_of_b));
+  if (are_all_but_parallel(edge_vector(difference.a(), edge_of_a), along_b))
+    return {-HUGE_VAL, pair, Vector<3>::Zero()};
   const Vector<3> normal = edge_pair_normal(difference.a(), edge_of_a, along_b);
-  if (normal == Vector<3>::Zero()) return {-HUGE_VAL, pair, normal};
   const Corner deepest =
       facet.is_corner_deepest_along(normal) ? facet.corner : difference.deepest_along(normal, facet.corner);
   return {normal.dot(deepest.at), pair, normal};

@@ -156,9 +156,14 @@ double refresh(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, 
 PotentialPair<3> initial_pair(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                               const PairCache<3>& witness) {
   const PotentialPair<3>& pair = witness.pair;
-  if (pair.kind != PotentialPair<3>::vertex_vertex) return pair;
-  const int deepest_of_a = a.deepest_near(-witness.proof, pair.a).vertex;
-  const int deepest_of_b = b.deepest_near(witness.proof, pair.b).vertex;
+  const bool are_edges = pair.kind == PotentialPair<3>::edge_edge;
+  const bool has_a_normal = are_edges ? !are_all_but_parallel(edge_vector(a, pair.a), edge_vector(b, pair.b))
+                                      : pair.kind != PotentialPair<3>::vertex_vertex;
+  if (has_a_normal) return pair;
+  const std::int32_t near_a = are_edges ? a.topology->edge_start[pair.a] : pair.a;
+  const std::int32_t near_b = are_edges ? b.topology->edge_start[pair.b] : pair.b;
+  const int deepest_of_a = a.deepest_near(-witness.proof, near_a).vertex;
+  const int deepest_of_b = b.deepest_near(witness.proof, near_b).vertex;
   PotentialPair<3> of_a{PotentialPair<3>::face_vertex, face_along(a, deepest_of_a, witness.proof),
                         deepest_of_b};
   PotentialPair<3> of_b{PotentialPair<3>::vertex_face, deepest_of_a,

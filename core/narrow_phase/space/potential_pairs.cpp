@@ -75,9 +75,7 @@ Facet facet_across(const SeenOutline& a, const SeenOutline& b, const FacetSide& 
     const double climb_at_end = to.dot(edge);
     if (climb_at_end >= -rounding_between(vertex, neighbour)) continue;
     // An edge that stays nearly in the plane is parallel to the side's edge, and has no plane.
-    if (are_all_but_parallel(cross_product(along, edge).squaredNorm(), along.squaredNorm(),
-                             edge.squaredNorm()))
-      continue;
+    if (are_all_but_parallel(along, edge)) continue;
     const double reached_at = climb / (climb - climb_at_end);
     if (reached_at >= share) continue;
     share = reached_at;

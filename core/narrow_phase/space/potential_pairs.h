@@ -45,6 +45,10 @@ inline bool are_all_but_parallel(double square_of_cross_product, double square_a
   constexpr double flat = 1e-6;  // rad
   return square_of_cross_product <= flat * flat * square_a * square_b;
 }
+inline bool are_all_but_parallel(const Vector<3>& along_a, const Vector<3>& along_b) {
+  return are_all_but_parallel(cross_product(along_a, along_b).squaredNorm(), along_a.squaredNorm(),
+                              along_b.squaredNorm());
+}
 
 /// The parallelogram of an edge of each block.
 struct Parallelogram {

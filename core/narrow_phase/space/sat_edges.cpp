@@ -112,6 +112,9 @@ class JudgedPairs {
     return best;
   }
   double gap(int k) const { return gaps_[k]; }
+  bool are_all_but_parallel(int k) const {
+    return halfspace::are_all_but_parallel(edges_of_a_[pairs_[k].a], edges_of_b_[pairs_[k].b]);
+  }
   void drop(int k) { gaps_[k] = -HUGE_VAL; }
 
   /// The normal of nearly parallel edges is inaccurate. The gap between both blocks' supports along it is a
@@ -167,11 +170,13 @@ class JudgedPairs {
 
 /// By four signs of edge direction and face normal (docs/theory.md): edges a and b make a facet of the
 /// Minkowski difference when b crosses between the faces of a and a between those of b, in the same sense.
+/// Nearly parallel edges only prove separation: where they touch, a face has the same depth, and a normal
+/// that does not depend on rounding.
 void judge_edge_pairs(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b, Separation<3>& best) {
   JudgedPairs pairs(a, b, to_b);
   for (int k = pairs.largest(); k >= 0 && pairs.gap(k) > best.gap; k = pairs.largest()) {
     const Separation<3> proven = pairs.proven(k);
-    if (proven.gap > best.gap) best = proven;
+    if (proven.gap > best.gap && (proven.gap > 0 || !pairs.are_all_but_parallel(k))) best = proven;
     pairs.drop(k);
   }
 }
