@@ -24,7 +24,7 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       penetration_bound_(model_, contacts_),
       continuous_collision_(model_, contacts_, integrator_, clock_, stable_step_, penetration_bound_,
                             worker_count(threads), memory),
-      entrances_(model_, contacts_),
+      entrances_(model_, contacts_, memory),
       sums_(memory) {}
 
 template <int D>
@@ -59,6 +59,7 @@ void World<D>::fit_rooms() {
   forces_.fit_rooms();
   hard_contacts_.rebuild_surface();
   if (!model_.water.empty()) water_pass_.fit_room();
+  entrances_.fit_room();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
 }
 
@@ -143,6 +144,23 @@ void World<D>::take_in_met(OnContact on_contact) {
             std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
       on_contact(k, contact, sums);
     }
+  }
+}
+
+/// Every few steps contacts at corners may turn to another face. The next motion loads them there.
+template <int D>
+void World<D>::ask_about_corners() {
+  if (clock_.steps() % Entrances<D>::steps_between != 0) return;
+  entrances_.forget_answers();
+  for (const std::uint32_t k : contacts_.touching()) {
+    if (!sleep_.leaves_out(contacts_.neighbors().pairs()[k])) entrances_.ask_again(k);
+  }
+  for (const auto& [k, face] : entrances_.answers()) {
+    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    pair.witness.pair = face;
+    const double released = contacts_.release_shear(k);
+    if (share_.counts(pair)) ledger_.add_friction_loss(released);
+    share_.note_entrance(pair);
   }
 }
 

@@ -34,13 +34,10 @@ bool ContactList<D>::is_described(const Candidate<D>& pair) const {
   return is_always_described(pair) || pair.witness.state == PairCache<D>::unknown || pair.bonded;
 }
 
-/// Releases the energy of the shear spring when a contact ends.
 template <int D>
-void ContactList<D>::release_shear(std::size_t k, PairSums& sums) {
-  if (neighbors_.shear().empty()) return;
-  ShearSpring<D>& shear = neighbors_.shear()[k];
-  sums.released += energy_of(shear);
-  shear = {};
+double ContactList<D>::release_shear(std::size_t k) {
+  if (neighbors_.shear().empty()) return 0;
+  return energy_of(std::exchange(neighbors_.shear()[k], {}));
 }
 
 template <int D>
@@ -57,7 +54,7 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
     has_met = before < PairCache<D>::touching;
   } else {
     if (!pair.bonded) {
-      if (before >= PairCache<D>::touching) release_shear(k, sums);
+      if (before >= PairCache<D>::touching) sums.released += release_shear(k);
       if (before == PairCache<D>::unknown && refresh(a, b, to_b, witness) <= rounding_of_touch(pair))
         witness.state = PairCache<D>::unknown;
       return Found::apart;

@@ -112,6 +112,8 @@ class ContactList {
     keep(k, first_of_chunk, sums);
     sums.last_block = std::max(sums.last_block, pair.b);
   }
+  /// Forgets the shear of a pair whose contact ends or turns. Returns its energy.
+  double release_shear(std::size_t k);
   /// Collects the contacts of all chunks.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.
@@ -195,7 +197,6 @@ class ContactList {
     if (count == 0) return {};
     return {in_chunks.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), count};
   }
-  void release_shear(std::size_t k, PairSums& sums);
   /// False for potential laws in 3D, which compute contacts only at the first detection.
   bool is_always_described(const Candidate<D>& pair) const {
     return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();

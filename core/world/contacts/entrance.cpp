@@ -15,6 +15,45 @@ constexpr double flush = 1e-3;
 /// Minimum cosine of the angle between the lift and the normal of an entry face that it reveals.
 constexpr double least_cosine = 0.5;
 
+/// A contact is at a corner when it is nearer to an end of its face than this fraction of the smaller radius.
+constexpr double corner = 1e-2;
+
+/// Another face must leave this much less of an overlap, so that the answer does not swing.
+constexpr double clearly_less = 0.5;
+
+template <int D, class Predicate>
+bool all_points(const Contact<D>& contact, Predicate predicate) {
+  return std::all_of(contact.points, contact.points + contact.point_count, predicate);
+}
+
+bool is_at_corner(const PlacedBlocks<2>& at, const Contact<2>& contact, double width) {
+  const bool is_of_a = contact.pair.owner == 0;
+  const Outline<2>& owner = is_of_a ? at.a : at.b;
+  const Vector<2> place = is_of_a ? Vector<2>::Zero() : at.to_b;
+  const auto is_near = [&](int vertex) {
+    return all_points(contact,
+                      [&](const Vector<2>& p) { return (p - place - owner.vertex(vertex)).norm() < width; });
+  };
+  return is_near(contact.pair.edge) || is_near(owner.next(contact.pair.edge));
+}
+
+/// In space the ends of a face are its edges. Crossing edges meet at no corner.
+bool is_at_corner(const PlacedBlocks<3>& at, const Contact<3>& contact, double width) {
+  if (contact.pair.kind == PotentialPair<3>::edge_edge) return false;
+  const bool is_of_a = contact.pair.kind == PotentialPair<3>::face_vertex;
+  const SeenOutline owner = is_of_a ? at.a : at.b;
+  const Vector<3> place = is_of_a ? Vector<3>::Zero() : at.to_b;
+  const int face = is_of_a ? contact.pair.a : contact.pair.b;
+  const Topology& topology = *owner.topology;
+  const auto is_near = [&](int edge) {
+    const Vector<3> start = owner.vertex(topology.edge_start[edge]) + place;
+    const Vector<3> across = cross_product(owner.normal(face), edge_vector(owner, edge)).normalized();
+    return all_points(contact, [&](const Vector<3>& p) { return std::abs(across.dot(p - start)) < width; });
+  };
+  return std::any_of(topology.face_edge + topology.first_of_face[face],
+                     topology.face_edge + topology.first_of_face[face + 1], is_near);
+}
+
 }  // namespace
 
 /// Pairs that meet in this detection do not count as third blocks, so the order of pairs does not matter.
@@ -25,31 +64,34 @@ bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const
   return std::binary_search(met.begin(), met.end(), k);
 }
 
-/// Lifts a block out of a third. Returns the pair along the lift if it leaves the two flush or apart, else
-/// the pair of the largest gap if that separates them, else none.
+/// Lifts a block of a pair out of a third.
 template <int D>
-typename Entrances<D>::Way Entrances<D>::way_beside(const Candidate<D>& met, std::int32_t lifted,
-                                                    const Candidate<D>& known) const {
+typename Entrances<D>::Lifted Entrances<D>::lift(const Candidate<D>& pair, std::int32_t lifted,
+                                                 const Candidate<D>& known) const {
   Contact<D> contact;
   contacts_.describe(known, contact);
   // From the third block to the lifted one.
   const Vector<D> up = known.a == lifted ? Vector<D>(-contact.normal) : contact.normal;
   const double depth = std::max(-contact.gap, 0.0);
-  const double sign = met.a == lifted ? -1 : 1;
-  const Vector<D> normal = sign * up;
-  PlacedBlocks<D> at = model_.blocks.placed(met.a, met.b);
-  at.to_b += depth * normal;
+  const double sign = pair.a == lifted ? -1 : 1;
+  Lifted result{model_.blocks.placed(pair.a, pair.b), sign * up};
+  result.at.to_b += depth * result.normal;
+  return result;
+}
 
+/// The pair along the lift if it leaves the two blocks flush or apart, else the pair of the largest gap if
+/// that separates them, else none.
+template <int D>
+typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, const Lifted& lifted) const {
+  const auto& [at, normal] = lifted;
   const double entrance_cosine = normal_of(at.a, at.b, met.witness.pair).dot(normal);
   const auto is_another_way = [&](const PotentialPair<D>& pair) {
     const double cosine = normal_of(at.a, at.b, pair).dot(normal);
     return cosine >= least_cosine && cosine > entrance_cosine;
   };
   PotentialPair<D> pair = pair_along(at.a, at.b, at.to_b, normal);
-  const double radius =
-      std::min(model_.blocks.radius[std::size_t(met.a)], model_.blocks.radius[std::size_t(met.b)]);
   const double gap = refresh(at.a, at.b, at.to_b, pair);
-  if (gap >= -flush * radius && is_another_way(pair)) return {pair, gap};
+  if (gap >= -flush * smaller_radius(met) && is_another_way(pair)) return {pair, gap};
   const Separation<D> apart = find_largest_separation(at.a, at.b, at.to_b);
   if (!(apart.gap > 0)) return {};
   pair = initial_pair(at.a, at.b, at.to_b, witness_of(apart));
@@ -70,7 +112,7 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
       const Candidate<D>& known = neighbors.pairs()[k];
       if (!contacts_.was_in_contact(known) || has_met(k, found)) return;
       if (reaches_far && !neighbors.pair_between(known.a + known.b - block, other)) return;
-      const Way way = way_beside(met, block, known);
+      const Way way = way_along(met, lift(met, block, known));
       if (way.gap > best.gap) best = way;
     });
   }
@@ -86,6 +128,42 @@ bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
   if (!(way.gap > -HUGE_VAL)) return false;
   met.witness.pair = way.pair;
   return true;
+}
+
+/// Counts third blocks that touch both. Laws by overlap have no entry face.
+template <int D>
+void Entrances<D>::ask_again(std::uint32_t k) {
+  NeighborList<D>& neighbors = contacts_.neighbors();
+  const Candidate<D>& pair = neighbors.pairs()[k];
+  if (pair.bonded || model_.law_of(pair).is_potential()) return;
+  Contact<D> contact;
+  contacts_.describe(pair, contact);
+  if (!is_at_corner(model_.blocks.placed(pair.a, pair.b), contact, corner * smaller_radius(pair))) return;
+
+  neighbors.index_pairs();
+  // No pair of the list, and no contact, is between blocks that do not move.
+  const auto touch = [&](std::int32_t a, std::int32_t b) {
+    if (!model_.blocks.moves_freely(std::size_t(a)) && !model_.blocks.moves_freely(std::size_t(b)))
+      return true;
+    const std::optional<std::size_t> between = neighbors.pair_between(a, b);
+    return between && contacts_.was_in_contact(neighbors.pairs()[*between]);
+  };
+  double left = contact.gap;  // of the overlap, after the best lift along its own face
+  Way best;
+  for (const std::int32_t block : {pair.a, pair.b}) {
+    const std::int32_t other = pair.a + pair.b - block;
+    neighbors.for_each_pair_of(block, [&](std::size_t known_k) {
+      const Candidate<D>& known = neighbors.pairs()[known_k];
+      const std::int32_t third = known.a + known.b - block;
+      if (third == other || !contacts_.was_in_contact(known) || !touch(third, other)) return;
+      const Lifted lifted = lift(pair, block, known);
+      PotentialPair<D> own = pair.witness.pair;
+      left = std::max(left, refresh(lifted.at.a, lifted.at.b, lifted.at.to_b, own));
+      const Way way = way_along(pair, lifted);
+      if (way.gap > best.gap) best = way;
+    });
+  }
+  if (std::min(best.gap, 0.0) > clearly_less * left) answers_.push_back({k, best.pair});
 }
 
 template <int D>

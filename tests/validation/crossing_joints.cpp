@@ -1,0 +1,91 @@
+// Rows of blocks between joints that cross: the corners of all meet at once, before any block rests on
+// another.
+
+#include "catch.h"
+#include "validation/solid_scene.h"
+
+namespace {
+
+using namespace halfspace_test;
+
+constexpr double along = 3, down = -9.81;
+
+/// Two rows of bricks, the lower one fixed. Each joint between bricks is straight through both rows.
+class Rows {
+ public:
+  Rows(int dimension, int32_t kind, double lean)
+      : dimension_(dimension), scene_(def_in(dimension), law_of(kind), 2500) {
+    for (int i = 0; i < 8; ++i) add(i - 4, i - 3, -1, lean, HS_BLOCK_FIXED);
+    stop_ = add(2, 3, 0, lean, HS_BLOCK_FIXED);
+    for (int i = 0; i < 4; ++i) row_.push_back(add(i - 2, i - 1, 0, lean, HS_BLOCK_RIGID));
+  }
+
+  void remove_stop() { scene_.check(hs_world_remove_block(scene_.world(), stop_)); }
+  void run(double duration) {
+    const double end = scene_.report().time + duration;
+    while (scene_.report().time < end) scene_.step(20);
+  }
+  double time() const { return scene_.report().time; }
+  /// The row also spreads, as its joints open.
+  double mean_place() const {
+    double sum = 0;
+    for (const hs_block brick : row_) sum += scene_.state(brick).pose.position[0];
+    return sum / double(row_.size());
+  }
+  double residual() const { return scene_.energy().residual; }
+  double kinetic() const { return scene_.energy().kinetic; }
+
+ private:
+  static hs_world_def def_in(int dimension) {
+    hs_world_def def = solid_world_def(0, {along, dimension == 2 ? down : 0, dimension == 2 ? 0 : down});
+    def.dimension = dimension;
+    return def;
+  }
+  static hs_law_def law_of(int32_t kind) {
+    hs_law_def law = spring_law(1e9);
+    law.stiffness_kind = kind;
+    law.normal_damping = 0.3;
+    return law;
+  }
+
+  hs_block add(double left, double right, double low, double lean, int32_t kind) {
+    const double high = low + 1;
+    const Points face{{left + lean * low, low},
+                      {right + lean * low, low},
+                      {right + lean * high, high},
+                      {left + lean * high, high}};
+    if (dimension_ == 2) return scene_.add(face, {kind, {}, 0});
+    Corners corners;
+    for (const Point& p : face) {
+      for (const double y : {0.0, 1.0}) corners.push_back({p.x, y, p.y});
+    }
+    return scene_.add_hull_in_place(corners, kind);
+  }
+
+  int dimension_;
+  SolidScene scene_;
+  hs_block stop_ = 0;
+  std::vector<hs_block> row_;
+};
+
+void slide(int dimension) {
+  for (const int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
+    for (const double lean : {0.0, 0.2, -0.2}) {
+      INFO(dimension << "D, " << name_of_stiffness(kind) << ", lean " << lean);
+      Rows rows(dimension, kind, lean);
+      rows.run(0.3);  // all joints close
+      rows.remove_stop();
+      const double start = rows.time(), place = rows.mean_place();
+      rows.run(0.5);
+      const double expected = 0.5 * along * square_of(rows.time() - start);
+      CHECK(rows.mean_place() - place == Approx(expected).epsilon(5e-3));
+      CHECK(std::abs(rows.residual()) < 1e-4 * rows.kinetic());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a row of blocks slides over a row cut by the same joints in the plane") { slide(2); }
+
+TEST_CASE("a row of blocks slides over a row cut by the same joints in space") { slide(3); }
