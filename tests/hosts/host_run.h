@@ -81,12 +81,11 @@ inline Snapshot joined(const Folder& folder, const std::string& directory) {
 /// The snapshot at the end of a run of the example for MPI.
 inline Snapshot run_shares(const Snapshot& start, int processes, std::int64_t steps) {
   const Folder folder("halfspace_shares_mpi");
-  write_file(folder.file("start.hsw"), start);
+  split(start, processes, folder, "start");
   run_on(processes,
-         HALFSPACE_HOST " " + folder.file("start.hsw") + " " + std::to_string(steps) + " " +
-             folder.file("end.hsw"),
+         HALFSPACE_HOST " " + folder.file("start") + " " + std::to_string(steps) + " " + folder.file("end"),
          folder);
-  return read_file(folder.file("end.hsw"));
+  return joined(folder, "end");
 }
 
 /// A run of a host ends with the bits of the whole world.

@@ -13,7 +13,6 @@
 struct Place {
   std::int64_t key;
   double position[3];
-  float weight;
   hs_world *source;  // which has the block as its own
 };
 
@@ -21,9 +20,9 @@ struct Place {
 class Division {
  public:
   Division() : zoltan_(Zoltan_Create(MPI_COMM_WORLD)) {
-    const char *const parameters[][2] = {
-        {"DEBUG_LEVEL", "0"},     {"LB_METHOD", "RCB"},    {"KEEP_CUTS", "1"},       {"NUM_GID_ENTRIES", "2"},
-        {"NUM_LID_ENTRIES", "1"}, {"OBJ_WEIGHT_DIM", "1"}, {"RETURN_LISTS", "PARTS"}};
+    const char *const parameters[][2] = {{"DEBUG_LEVEL", "0"},     {"LB_METHOD", "RCB"},
+                                         {"KEEP_CUTS", "1"},       {"NUM_GID_ENTRIES", "2"},
+                                         {"NUM_LID_ENTRIES", "1"}, {"RETURN_LISTS", "PARTS"}};
     for (const auto &[name, value] : parameters) Zoltan_Set_Param(zoltan_, name, value);
     Zoltan_Set_Num_Obj_Fn(zoltan_, count, this);
     Zoltan_Set_Obj_List_Fn(zoltan_, list, this);
@@ -68,13 +67,12 @@ class Division {
   static const std::vector<Place> &places_of(void *self) { return *static_cast<Division *>(self)->places_; }
   static int count(void *self, int *error) { return *error = ZOLTAN_OK, int(places_of(self).size()); }
   static int dimension(void *, int *error) { return *error = ZOLTAN_OK, 3; }
-  static void list(void *self, int, int, ZOLTAN_ID_PTR keys, ZOLTAN_ID_PTR indices, int, float *weights,
+  static void list(void *self, int, int, ZOLTAN_ID_PTR keys, ZOLTAN_ID_PTR indices, int, float *,
                    int *error) {
     const std::vector<Place> &places = places_of(self);
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::memcpy(keys + 2 * i, &places[i].key, sizeof places[i].key);
       indices[i] = ZOLTAN_ID_TYPE(i);
-      weights[i] = places[i].weight;
     }
     *error = ZOLTAN_OK;
   }

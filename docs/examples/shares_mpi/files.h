@@ -1,4 +1,4 @@
-// Snapshots of whole worlds, and directories with those of shares: share_0.hsw, share_1.hsw, ...
+// Directories with the snapshots of shares: share_0.hsw, share_1.hsw, ...
 #pragma once
 
 #include <filesystem>
@@ -9,19 +9,13 @@
 
 using Bytes = std::vector<char>;
 
-inline bool is_snapshot(const std::string &name) { return std::filesystem::path(name).extension() == ".hsw"; }
-
 inline std::string share_name(const std::string &directory, int number) {
   return (std::filesystem::path(directory) / ("share_" + std::to_string(number) + ".hsw")).string();
 }
 
-/// The files that this rank reads: rank 0 a snapshot, each rank every n-th share.
+/// The files that this rank reads: every n-th share.
 inline std::vector<std::string> files_of_rank(const std::string &start) {
   std::vector<std::string> names;
-  if (is_snapshot(start)) {
-    if (rank() == 0) names.push_back(start);
-    return names;
-  }
   for (int number = rank(); std::filesystem::exists(share_name(start, number)); number += int(rank_count()))
     names.push_back(share_name(start, number));
   if (rank() == 0 && names.empty()) fail("cannot read " + share_name(start, 0));

@@ -1,6 +1,6 @@
-// Steps a world on many processes, with the bits of one: `mpirun -np 4 shares_mpi start.hsw 10000 end.hsw`.
-// Instead of a snapshot, START and END may be directories of shares, of which each process reads and writes
-// its own: `halfspace split start.hsw 4 start`, `halfspace join end end.hsw`.
+// Steps a world on many processes, with the bits of one: `mpirun -np 4 shares_mpi start 10000 end`.
+// Both are directories of shares, of which each process reads and writes its own:
+// `halfspace split start.hsw 4 start`, `halfspace join end end.hsw`.
 // Zoltan divides the blocks, MPI carries records and loads. See docs/concepts/shares.md.
 
 #include <halfspace/halfspace.h>
@@ -26,7 +26,7 @@ struct Header {
 /// The share of this rank. All ranks make the same calls.
 class Share {
  public:
-  explicit Share(const char *start) : copies_here_(rank_count()), copies_there_(rank_count()) {
+  explicit Share(const std::string &start) : copies_here_(rank_count()), copies_there_(rank_count()) {
     if (hs_context_create(nullptr, &context_) != HS_OK) fail("no memory");
     std::vector<hs_world *> sources;
     for (const std::string &name : files_of_rank(start)) sources.push_back(restored(read(name)));
@@ -62,22 +62,6 @@ class Share {
     check(hs_world_end_step(world_));
   }
 
-  /// A snapshot of the whole world, on rank 0.
-  Bytes joined() {
-    double own[HS_SUM_COUNT], all[HS_SUM_COUNT];
-    check(hs_world_get_sums(world_, own));
-    MPI_Reduce(own, all, HS_SUM_COUNT, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
-    std::vector<Bytes> sent(rank_count());
-    for (const std::int64_t key : keys_with(HS_ROLE_OWN, world_))
-      append(sent[0], world_, key, HS_ROLE_OWN, 0, rank() != 0, true);
-    const std::vector<Bytes> received = exchanged(sent);
-    if (rank() != 0) return {};
-    hs_world *whole = assembled(received);
-    check(hs_world_set_sums(whole, all));
-    const Bytes bytes = saved(whole);
-    hs_world_destroy(whole);
-    return bytes;
-  }
   /// A snapshot of this share.
   Bytes saved() const { return saved(world_); }
 
@@ -155,29 +139,14 @@ class Share {
     check(get(world, values.data(), count, &count));
     return values;
   }
-  Keys keys_with(std::int32_t role, const hs_world *world) const {
-    const std::vector<std::int32_t> roles = all(world, hs_world_get_roles);
-    Keys keys = all(world, hs_world_get_keys);
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      if (roles[i] == role) keys[found++] = keys[i];
-    keys.resize(found);
-    return keys;
-  }
-
-  /// Adds own blocks of a world. A block weighs as much as its record, which grows with its pairs.
+  /// Adds own blocks of a world.
   void add_places(hs_world *source, std::vector<Place> &places) const {
+    const Keys keys = all(source, hs_world_get_keys);
     const std::vector<std::int32_t> roles = all(source, hs_world_get_roles);
     const std::vector<hs_pose> poses = all(source, hs_world_get_poses);
-    const Keys keys = keys_with(HS_ROLE_OWN, source);
-    std::vector<std::size_t> ends(keys.size());
-    std::size_t size = 0, k = 0;
-    (void)hs_world_pack(source, keys.data(), std::int64_t(keys.size()), 0, nullptr, 0, ends.data(), &size);
     for (std::size_t i = 0; i < roles.size(); ++i) {
-      if (roles[i] != HS_ROLE_OWN) continue;
-      const double *x = poses[i].position;
-      places.push_back({keys[k], {x[0], x[1], x[2]}, float(ends[k] - (k > 0 ? ends[k - 1] : 0)), source});
-      ++k;
+      const double *const x = poses[i].position;
+      if (roles[i] == HS_ROLE_OWN) places.push_back({keys[i], {x[0], x[1], x[2]}, source});
     }
   }
 
@@ -203,9 +172,11 @@ class Share {
   /// A world of the blocks in the messages, and of what is everywhere.
   hs_world *assembled(const std::vector<Bytes> &messages) {
     std::vector<hs_packed> blocks;
-    for (const std::int64_t key : keys_with(HS_ROLE_EVERYWHERE, world_))
-      blocks.push_back({key, nullptr, 0, HS_ROLE_EVERYWHERE, 0});
-    for (Keys &keys : copies_here_) keys.clear();
+    const Keys keys = all(world_, hs_world_get_keys);
+    const std::vector<std::int32_t> roles = all(world_, hs_world_get_roles);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (roles[i] == HS_ROLE_EVERYWHERE) blocks.push_back({keys[i], nullptr, 0, HS_ROLE_EVERYWHERE, 0});
+    for (Keys &copies : copies_here_) copies.clear();
     for (const Bytes &message : messages) {
       for (std::size_t at = 0; at < message.size();) {
         Header header;
@@ -277,13 +248,11 @@ class Share {
   Bytes record_;
 };
 
-void run(const char *from, std::int64_t steps, const std::string &to) {
-  if (!is_snapshot(to)) make_directory(to);
+void run(const std::string &from, std::int64_t steps, const std::string &to) {
+  make_directory(to);
   Share share(from);
   for (std::int64_t i = 0; i < steps; ++i) share.step();
-  if (!is_snapshot(to)) return write(share_name(to, rank()), share.saved());
-  const Bytes end = share.joined();
-  if (rank() == 0) write(to, end);
+  write(share_name(to, rank()), share.saved());
 }
 
 }  // namespace
@@ -292,8 +261,7 @@ int main(int argc, char **argv) {
   float version = 0;
   MPI_Init(&argc, &argv);
   Zoltan_Initialize(argc, argv, &version);
-  if (argc != 4)
-    fail("call it as shares_mpi START STEPS END; START and END are snapshots *.hsw or directories of shares");
+  if (argc != 4) fail("call it as shares_mpi START STEPS END; START and END are directories of shares");
   run(argv[1], std::atoll(argv[2]), argv[3]);
   MPI_Finalize();
 }
