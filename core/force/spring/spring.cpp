@@ -130,8 +130,7 @@ typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, 
                                                       const ShearSpring<D>& spring) const {
   ShearTrial trial;
   if (!law_.resists_shear()) return trial;
-  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
-  trial.stiffness = law_.shear_stiffness * (per_area ? normal.base : 1);
+  trial.stiffness = whole_stiffness(law_.shear_stiffness, normal);
   trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
   trial.before = trial.force = carried(spring, direction, motion, elapsed_);
   if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
@@ -155,8 +154,7 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
 template <int D>
 bool Spring<D>::is_torn(const NormalPart& normal) const {
   if (law_.tensile_strength > 0) return -normal.force > law_.tensile_strength * normal.base;
-  const bool per_area = law_.stiffness_kind == StiffnessKind::per_area;
-  const double stiffness = law_.normal_stiffness * (per_area ? normal.base : 1);
+  const double stiffness = whole_stiffness(law_.normal_stiffness, normal);
   const double size = D == 2 ? normal.base : std::sqrt(normal.base);
   const double elastic = normal.force - normal.viscous_force;
   return -elastic > stiffness * touch_reach * size;

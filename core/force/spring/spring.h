@@ -112,6 +112,10 @@ class Spring {
             NormalPart& normal) const;
   ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
                          const ShearSpring<D>& spring) const;
+  /// Of all springs of the base.
+  double whole_stiffness(double stiffness, const NormalPart& normal) const {
+    return law_.stiffness_kind == StiffnessKind::per_area ? stiffness * normal.base : stiffness;
+  }
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
   bool is_torn(const NormalPart& normal) const;

@@ -58,12 +58,12 @@ std::vector<Point> random_sites(const Context& context, const Shape& region, std
       return dot(halfspace.normal, minus(p, centroid)) < halfspace.offset;
     });
   };
+  const Point sides = bounds.sides();
   Random random(seed);
   std::vector<Point> sites;
   while (static_cast<std::int64_t>(sites.size()) < count) {
     Point p;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = bounds.low[axis] + bounds.sides()[axis] * random.uniform();
+    for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = bounds.low[axis] + sides[axis] * random.uniform();
     if (is_inside(p)) sites.push_back(p);
   }
   return along_curve(context, sites);
