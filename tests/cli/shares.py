@@ -90,6 +90,7 @@ class Shares(SceneTest):
         self.assertRegex(self.split(scene(world="duration = 1\ntime_step = 1e-5\nsleep_tolerance = 1e-3"), 2, code=1).stderr,
                          "sleep, which shares cannot hold")
         self.assertRegex(self.split(scene(), 21, code=1).stderr, "cannot cut 20 free blocks into 21 shares")
+        self.assertFalse(self.shares.exists())
 
     def test_earlier_shares_are_kept_without_force(self):
         self.split(scene(), 4)

@@ -98,7 +98,7 @@ std::string share_name(std::size_t number) { return "share_" + std::to_string(nu
 OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
     : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
   try {
-    fs::create_directories(path_);
+    is_made_ = fs::create_directories(path_);
     if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
     if (earlier == Earlier::refuse && !fs::is_empty(path_)) {
       throw std::runtime_error("the directory " + path_.string() +
@@ -107,6 +107,11 @@ OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
   } catch (const fs::filesystem_error& error) {
     throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
   }
+}
+
+OutputDirectory::~OutputDirectory() {
+  std::error_code error;
+  if (is_made_ && written_.empty()) fs::remove(path_, error);  // not if another program has written to it
 }
 
 void OutputDirectory::remove_frames_from(int number) {

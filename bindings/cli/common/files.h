@@ -34,6 +34,10 @@ class OutputDirectory {
   /// @throws std::runtime_error if the directory cannot be created, or has files and `earlier` is
   /// Earlier::refuse
   OutputDirectory(std::filesystem::path path, Earlier earlier);
+  /// A directory that was made and has no file is removed.
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
 
   /// Removes the frames from this number on.
   void remove_frames_from(int number);
@@ -47,6 +51,7 @@ class OutputDirectory {
 
  private:
   std::filesystem::path path_;
+  bool is_made_ = false;              ///< by this object
   bool replaces_;                     ///< the files of an earlier run, which are not removed yet
   std::vector<std::string> written_;  ///< in the order of first writing
 };
