@@ -11,7 +11,7 @@ module halfspace_block_worlds
   use halfspace_shapes, only: halfspace_shape
   implicit none
   private
-  public :: block_world, halfspace_block_state, takes_world
+  public :: block_world, halfspace_block_state, row_length_of, takes_world
 
   !> The owner of the world; bonded_world extends it, and halfspace_world extends that.
   type :: block_world
@@ -194,6 +194,12 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
       logical :: takes
     end function takes_world
+
+    !> Numbers per block of the loads of a share, which are found once; 0 without a world.
+    module function row_length_of(self) result(length)
+      class(block_world), intent(in) :: self
+      integer :: length
+    end function row_length_of
 
   end interface
 

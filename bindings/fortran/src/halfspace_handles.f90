@@ -15,6 +15,7 @@ module halfspace_handles
     procedure(hs_shape_destroy), pointer, nopass :: destroy => null()
     type(object_record), pointer :: context => null()  !< context of the object; null() for a context
     class(*), pointer :: companion => null()  !< deallocated after the object
+    integer :: row_length = 0  !< of the loads of a share; 0: to be found
   end type object_record
 
   type :: shared_handle
@@ -32,6 +33,8 @@ module halfspace_handles
     procedure :: lent_object
     procedure :: context
     procedure :: lent_context
+    procedure :: row_length
+    procedure :: remember_row_length
     procedure, private :: share
     generic :: assignment(=) => share
     final :: finish
@@ -130,6 +133,19 @@ contains
     lent_context = self%record%object
     if (associated(self%record%context)) lent_context = self%record%context%object
   end function lent_context
+
+  !> Length of a row of a share's loads, which its owner has remembered for all copies; 0: none.
+  integer function row_length(self)
+    class(shared_handle), intent(in) :: self
+    row_length = 0
+    if (owns(self)) row_length = self%record%row_length
+  end function row_length
+
+  subroutine remember_row_length(self, length)
+    class(shared_handle), intent(in) :: self
+    integer, intent(in) :: length
+    if (owns(self)) self%record%row_length = length
+  end subroutine remember_row_length
 
   impure elemental subroutine share(self, other)
     class(shared_handle), intent(inout) :: self

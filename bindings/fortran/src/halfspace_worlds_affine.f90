@@ -9,9 +9,18 @@ submodule(halfspace_block_worlds) halfspace_worlds_affine
 contains
 
   module procedure set_elasticity
+    call self%handle%remember_row_length(0)  ! virials are loads, too
     call conclude(hs_world_set_elasticity(self%handle%object(), material - 1, elasticity), self%handle%context(), &
                   stat, errmsg)
   end procedure set_elasticity
+
+  module procedure row_length_of
+    type(hs_share_info) :: info
+    length = self%handle%row_length()
+    if (length > 0) return
+    if (hs_world_get_share_info(self%handle%object(), info, c_sizeof(info)) == HS_OK) length = info%load_length
+    call self%handle%remember_row_length(length)
+  end procedure row_length_of
 
   module procedure deformation
     type(hs_deformation) :: found
