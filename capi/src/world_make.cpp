@@ -116,6 +116,16 @@ ContactLaw read_law(const hs_law_def* given) {
   return law;
 }
 
+/// Refuses a share's first law of potentials without its length, where blocks have deformed since the share
+/// took the mean edge of all.
+template <int D>
+void require_known_length(const World<D>& w, const ContactLaw& law) {
+  if (w.share().is_whole() || !law.is_potential() || w.knows_potential()) return;
+  if (!w.blocks().deformations().empty() && !(w.model().settings.potential_length > 0))
+    refuse(HS_ERROR_STATE,
+           "law is of potentials; a share with affine blocks needs potential_length in hs_world_def");
+}
+
 }  // namespace
 }  // namespace halfspace::capi
 
@@ -178,7 +188,9 @@ hs_status hs_world_add_material(hs_world* world, double density, int32_t* materi
 
 hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    w.set_default_law(read_law(law));
+    const ContactLaw read = read_law(law);
+    require_known_length(w, read);
+    w.set_default_law(read);
     return HS_OK;
   });
 }
@@ -187,7 +199,9 @@ hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
-    w.set_law(material_a, material_b, read_law(law));
+    const ContactLaw read = read_law(law);
+    require_known_length(w, read);
+    w.set_law(material_a, material_b, read);
     return HS_OK;
   });
 }
