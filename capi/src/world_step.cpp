@@ -177,7 +177,9 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
-    if (w.share().is_whole()) w.prepare();  // updates energies and time step after a change
+    // Updates energies and time step after a change. Of several shares none does alone, as blocks that it has
+    // taken over still count in another.
+    if (!w.share().has_losses_of_its_own()) w.prepare();
     const double stable = w.stable_time_step();
     const double overlap = w.largest_overlap();
     const hs_world_report ours = {D,

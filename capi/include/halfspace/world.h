@@ -311,8 +311,8 @@ HS_CHECKED hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable
 HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
 
 /** @brief Returns time, time step, counts and energies. After a change of the world it detects contacts and
- *  evaluates forces first, without any effect on the run. Without a time step the energies are those before
- *  the change.
+ *  evaluates forces first, without any effect on the run. Without a time step, or in a share until it has
+ *  begun, the energies are those before the change.
  *  @param world not NULL @param report receives it; fields unknown to this version of the library are 0
  *  @param size sizeof(hs_world_report) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
