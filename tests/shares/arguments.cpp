@@ -1,46 +1,12 @@
 #include "capi/loads.h"
 #include "capi/refusals.h"
-#include "shares/compare.h"
+#include "shares/row.h"
 
 // Refusals of shares, and their report to a host whose copies do not reach far enough.
 
 using namespace halfspace_test;
 
 namespace {
-
-/// Four boxes in a row on a floor, with a given step.
-struct Row {
-  Context context = make_context();
-  World world;
-  std::vector<hs_block> boxes;
-
-  explicit Row(hs_world_def def = world_def(), const hs_law_def& law = law_def(1e8, 0.5)) {
-    if (def.time_step == 0) def.time_step = 1e-5;
-    world = make_world(context.get(), def);
-    std::int32_t material = -1;
-    require_ok(hs_world_add_material(world.get(), 2000, &material), context.get());
-    require_ok(hs_world_set_default_law(world.get(), &law), context.get());
-    add_block(context.get(), world.get(), box(-9, -1, 9, 0), HS_BLOCK_FIXED);
-    for (int i = 0; i < 4; ++i)
-      boxes.push_back(add_block(context.get(), world.get(), box(i, 0, i + 1, 1), HS_BLOCK_RIGID));
-  }
-
-  hs_status assemble(const std::vector<hs_packed>& blocks, World* made = nullptr) const {
-    hs_world* share = nullptr;
-    const hs_status status =
-        hs_world_assemble(context.get(), world.get(), blocks.data(), std::int64_t(blocks.size()), &share);
-    World owner(share);
-    if (made) *made = std::move(owner);
-    return status;
-  }
-  std::string error() const { return hs_context_last_error(context.get()); }
-};
-
-hs_packed part(std::int64_t key, std::int32_t role) { return {key, nullptr, 0, role, 0}; }
-
-/// Its first two boxes, and a copy of the third.
-const std::vector<hs_packed> left = {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN), part(2, HS_ROLE_OWN),
-                                     part(3, HS_ROLE_NEIGHBOR)};
 
 std::string refusal_of(const Row& row) {
   CHECK(row.assemble(left) == HS_ERROR_STATE);
@@ -181,6 +147,16 @@ TEST_CASE("a step that has not ended is neither cut short nor taken for one that
   CHECK(hs_world_step(w, 1) == HS_OK);
 }
 
+TEST_CASE("shares of affine blocks refuse a first law of potentials without its length", "[shares]") {
+  const std::vector<unsigned char> start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_AFFINE);
+  const SplitWorld split(start, 2);
+  const hs_law_def law = law_of(laws_of_stiffness[2], 5e7, 0.4);
+  CHECK(hs_world_set_default_law(split.world(1), &law) == HS_ERROR_STATE);
+  CHECK(hs_world_set_law(split.world(1), 0, 0, &law) == HS_ERROR_STATE);
+  const Context context = make_context();
+  CHECK(hs_world_set_default_law(restored(context.get(), start).get(), &law) == HS_OK);
+}
+
 TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   const Row row;
   CHECK(row.assemble({part(1, HS_ROLE_OWN), part(0, HS_ROLE_EVERYWHERE)}) == HS_ERROR_ARGUMENT);
@@ -188,6 +164,10 @@ TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   CHECK(row.assemble({part(0, HS_ROLE_OWN)}) == HS_ERROR_ARGUMENT);
   CHECK_THAT(row.error(), Catch::Contains("blocks[0].role is 0"));
   CHECK(row.assemble({part(0, 7)}) == HS_ERROR_ARGUMENT);
+  CHECK(row.assemble({part(1, HS_ROLE_OWN)}) == HS_ERROR_ARGUMENT);
+  CHECK_THAT(row.error(), Catch::Contains("blocks has 0 blocks that are everywhere; from has 1"));
+  CHECK(row.assemble({part(0, HS_ROLE_EVERYWHERE), {1, nullptr, 9, HS_ROLE_OWN, 0}}) == HS_ERROR_ARGUMENT);
+  CHECK_THAT(row.error(), Catch::Contains("blocks[1].bytes is NULL, but their size is 9"));
   CHECK(row.assemble({part(0, HS_ROLE_EVERYWHERE), part(99, HS_ROLE_OWN)}) == HS_ERROR_STALE_ID);
   CHECK_THAT(row.error(), Catch::Contains("key 99"));
   const std::int64_t falling[] = {5, 4, 3, 2, 1}, keys[] = {10, 20, 30, 40, 50};
@@ -196,6 +176,45 @@ TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   CHECK(hs_world_set_keys(row.world.get(), keys, 5) == HS_OK);
   CHECK(keys_of(row.world.get()) == std::vector<std::int64_t>(keys, keys + 5));
   CHECK(row.assemble({part(10, HS_ROLE_EVERYWHERE), part(30, HS_ROLE_OWN)}) == HS_OK);
+}
+
+TEST_CASE("records are of the step of the world that takes them", "[shares]") {
+  const Row row;
+  const Records records = packed(row.context.get(), row.world.get(), {1}, true);
+  const auto assemble = [&] {
+    return row.assemble(
+        {part(0, HS_ROLE_EVERYWHERE), {1, records.bytes.data(), records.bytes.size(), HS_ROLE_OWN, 0}});
+  };
+  CHECK(assemble() == HS_OK);
+  require_ok(hs_world_step(row.world.get(), 1), row.context.get());
+  CHECK(assemble() == HS_ERROR_ARGUMENT);
+  CHECK_THAT(row.error(), Catch::Contains("blocks[1].bytes are of another step"));
+}
+
+TEST_CASE("a share without any block is no whole world", "[shares]") {
+  const Context context = make_context();
+  hs_world_def def = world_def();
+  def.time_step = 1e-5;
+  Stage stage(def, law_of(laws_of_stiffness[0], 1e7, 0.3));
+  for (int i = 0; i < 5; ++i) stage.add(stage.rectangle({3.0 * i, 0}, {3.0 * i + 1 + i, 1}), HS_BLOCK_RIGID);
+  const World whole = restored(context.get(), saved(stage.world()));
+  require_ok(hs_world_step(whole.get(), 1), context.get());
+  const auto cut = [&](hs_world* from, const std::vector<hs_packed>& blocks) {
+    hs_world* share = nullptr;
+    require_ok(hs_world_assemble(context.get(), from, blocks.data(), std::int64_t(blocks.size()), &share),
+               context.get());
+    return World(share);
+  };
+  const World empty = cut(whole.get(), {}), again = restored(context.get(), saved(empty.get()));
+  const Records records = packed(context.get(), whole.get(), {4}, true);
+  for (hs_world* const from : {empty.get(), again.get()}) {
+    CHECK(info_of(from).is_whole == 0);
+    CHECK(info_of(from).whole_count == 5);
+    CHECK(hs_world_step(from, 1) == HS_ERROR_STATE);
+    const World filled = cut(from, {{4, records.bytes.data(), records.bytes.size(), HS_ROLE_OWN, 0}});
+    CHECK(info_of(filled.get()).whole_count == 5);
+    CHECK(info_of(filled.get()).halo == info_of(cut(whole.get(), {part(4, HS_ROLE_OWN)}).get()).halo);
+  }
 }
 
 TEST_CASE("records tell where they end before there is room for them", "[shares]") {
@@ -208,74 +227,6 @@ TEST_CASE("records tell where they end before there is room for them", "[shares]
         HS_NOTE_TRUNCATED);
   CHECK(needed == records.bytes.size());
   CHECK(ends == records.ends);
-}
-
-TEST_CASE("sums have the momentum about the origin, and setting them does not change it", "[shares]") {
-  const Row row;
-  const double velocity[] = {2, 3, 0}, spin[] = {0, 0, 4};
-  require_ok(hs_world_set_velocity(row.world.get(), row.boxes[2], velocity, spin), row.context.get());
-  double sums[HS_SUM_COUNT], after[HS_SUM_COUNT];
-  require_ok(hs_world_get_sums(row.world.get(), sums), row.context.get());
-  // A square of 2000 kg with its centroid at (2.5, 0.5): m v, and m (x v_y - y v_x) + m a^2 / 6 w.
-  const double expected[] = {4000, 6000, 0, 0, 0, 2000 * (2.5 * 3 - 0.5 * 2) + 2000.0 / 6 * 4};
-  for (int i = 0; i < 6; ++i) CHECK(sums[21 + i] == Approx(expected[i]).epsilon(1e-14));
-  sums[0] = 7;
-  sums[26] = HUGE_VAL;
-  require_ok(hs_world_set_sums(row.world.get(), sums), row.context.get());
-  require_ok(hs_world_get_sums(row.world.get(), after), row.context.get());
-  CHECK(after[0] == 7);
-  CHECK(after[26] == Approx(expected[5]).epsilon(1e-14));
-}
-
-TEST_CASE("losses stay with a share that comes to own all blocks", "[shares]") {
-  const Row row;
-  hs_context* const context = row.context.get();
-  constexpr int friction = 3;
-  const auto loss_of = [](const World& world) {
-    double sums[HS_SUM_COUNT];
-    require_ok(hs_world_get_sums(world.get(), sums), nullptr);
-    return sums[friction];
-  };
-  const auto set_loss = [&](const World& world, double loss) {
-    double sums[HS_SUM_COUNT] = {};
-    sums[friction] = loss;
-    require_ok(hs_world_set_sums(world.get(), sums), context);
-  };
-  const auto cut = [&](const World& from, const std::vector<hs_packed>& blocks) {
-    hs_world* share = nullptr;
-    require_ok(hs_world_assemble(context, from.get(), blocks.data(), std::int64_t(blocks.size()), &share),
-               context);
-    return World(share);
-  };
-  set_loss(row.world, 5);
-  const World a = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN), part(2, HS_ROLE_OWN)});
-  const World b = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(3, HS_ROLE_OWN), part(4, HS_ROLE_OWN)});
-  set_loss(a, 1);
-  set_loss(b, 2);
-  const Records records = packed(context, a.get(), {1, 2}, true);
-  const World all =
-      cut(b, {part(0, HS_ROLE_EVERYWHERE),
-              {1, records.bytes.data(), records.ends[0], HS_ROLE_OWN, 0},
-              {2, records.bytes.data() + records.ends[0], records.ends[1] - records.ends[0], HS_ROLE_OWN, 0},
-              part(3, HS_ROLE_OWN),
-              part(4, HS_ROLE_OWN)});
-  const World none = cut(a, {part(0, HS_ROLE_EVERYWHERE)});
-  CHECK(loss_of(none) + loss_of(all) == 3);
-  CHECK(info_of(all.get()).is_whole == 1);
-  CHECK(loss_of(all) == 2);
-  const std::vector<hs_packed> first = {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN)},
-                               last = {part(0, HS_ROLE_EVERYWHERE), part(4, HS_ROLE_OWN)};
-  CHECK(loss_of(cut(all, last)) == 2);
-  CHECK(loss_of(cut(restored(context, saved(all.get())), last)) == 2);
-  // With the losses of all it is a whole world, and its shares divide them.
-  set_loss(all, 3);
-  CHECK(loss_of(cut(all, last)) == 0);
-  CHECK(loss_of(cut(all, first)) == 3);
-  // One of several shares may own all blocks from the first cut on.
-  const World alone = cut(row.world, {part(0, HS_ROLE_EVERYWHERE), part(1, HS_ROLE_OWN), part(2, HS_ROLE_OWN),
-                                      part(3, HS_ROLE_OWN), part(4, HS_ROLE_OWN)});
-  CHECK(loss_of(alone) == loss_of(row.world));
-  CHECK(loss_of(cut(alone, last)) == loss_of(row.world));
 }
 
 TEST_CASE("damaged records are refused", "[shares]") {

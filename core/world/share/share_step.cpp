@@ -7,6 +7,24 @@
 // in one motion: what would divide it is refused.
 
 namespace halfspace {
+namespace {
+
+/// A sum beside that of its rounding errors: in any order of the terms accurate to the rounding of the result
+/// [Dekker 1971].
+template <class Value>
+struct AccurateSum {
+  Value rounded = Value::Zero();
+  Value errors = Value::Zero();
+
+  void add(const Value& term) {
+    const Value sum = rounded + term, added = sum - rounded;
+    errors += (rounded - (sum - added)) + (term - added);
+    rounded = sum;
+  }
+  Value value() const { return rounded + errors; }
+};
+
+}  // namespace
 
 template <int D>
 void World<D>::set_keys(std::span<const std::int64_t> keys) {
@@ -81,14 +99,16 @@ void World<D>::set_loads(std::size_t slot, const Vector<D>& force, const Angular
 template <int D>
 Momentum<D> World<D>::momentum() const {
   const Blocks<D>& blocks = model_.blocks;
-  Momentum<D> sum;
+  AccurateSum<Vector<D>> linear;
+  AccurateSum<Angular<D>> angular;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (!blocks.moves_freely(i) || !share_.is_own(i) || blocks.is_part(i) || blocks.is_of_mesh(i)) continue;
-    const Vector<D> linear = blocks.mass[i] * blocks.velocity[i];
-    sum.linear += linear;
-    sum.angular += moment(blocks.position[i], linear) + blocks.momentum[i];
+    const Vector<D> of_block = blocks.mass[i] * blocks.velocity[i];
+    linear.add(of_block);
+    angular.add(moment(blocks.position[i], of_block));
+    angular.add(blocks.momentum[i]);
   }
-  return sum;
+  return {linear.value(), angular.value()};
 }
 
 /// Two pairs of the list away: Share says why. A pair holds blocks whose gap is at most both skins when the
