@@ -95,11 +95,27 @@ void enter_planned(World<D>& w, const SharedMotion& motion) {
           HS_ERROR_ARGUMENT,
           "blocks[%lld].role is %d; fixed and prescribed blocks are everywhere, all others own or neighbours",
           i, int(blocks[fault.block].role));
+    case AssemblyFault::other_step:
+      refuse(HS_ERROR_ARGUMENT, "blocks[%lld].bytes are of another step than from, or of another world", i);
     case AssemblyFault::damaged_record:
       refuse(HS_ERROR_FORMAT, "blocks[%lld].bytes do not hold the record of a block with key %lld", i, key);
     default:
       refuse(HS_ERROR_FORMAT, "the bytes of the blocks do not hold a valid state of a world");
   }
+}
+
+/// What is everywhere is in all shares.
+template <int D>
+void require_all_everywhere(const World<D>& from, std::span<const PackedBlock> blocks) {
+  const auto is_everywhere = [](const PackedBlock& block) { return block.role == ShareRole::everywhere; };
+  std::int64_t here = 0;
+  for_each_block(from.blocks(), [&](std::int64_t, std::int32_t slot) {
+    here += !from.blocks().moves_freely(std::size_t(slot));
+  });
+  const std::int64_t given = std::count_if(blocks.begin(), blocks.end(), is_everywhere);
+  if (given != here)
+    refuse(HS_ERROR_ARGUMENT, "blocks has %lld blocks that are everywhere; from has %lld, and needs all",
+           static_cast<long long>(given), static_cast<long long>(here));
 }
 
 std::span<const std::byte> bytes_of(const hs_packed& block) {
@@ -121,12 +137,15 @@ hs_world* assemble(hs_context* context, World<D>& from, const hs_packed blocks[]
     }
     if (block.role < HS_ROLE_OWN || block.role > HS_ROLE_EVERYWHERE)
       refuse(HS_ERROR_ARGUMENT, "blocks[%lld].role is %d; it must be an HS_ROLE_ value", at, block.role);
+    if (!block.bytes && block.size > 0)
+      refuse(HS_ERROR_ARGUMENT, "blocks[%lld].bytes is NULL, but their size is %zu", at, block.size);
     packed.push_back({block.key, ShareRole(block.role), bytes_of(block)});
   }
   WorldHandle<D>* share = create<WorldHandle<D>>(context, context, WorldSettings<D>());
   try {
     const AssemblyFault fault = share->world.assemble(from, packed);
     if (fault.kind != AssemblyFault::none) refuse_assembly(fault, packed);
+    require_all_everywhere(from, packed);
   } catch (...) {
     destroy(context, share);
     throw;

@@ -21,7 +21,7 @@
  *  are assembled, and hs_world_begin() and hs_world_end_begin() follow. Applied forces may be changed alike in
  *  all shares that hold the block. So may velocities, but then all shares have to begin: those that do not hold
  *  the block are given their time step again. A law of potentials that comes later needs a given
- *  potential_length where blocks are affine. See docs/concepts/shares.md.
+ *  potential_length where blocks are affine; shares with such blocks refuse it else. See docs/concepts/shares.md.
  */
 #ifndef HALFSPACE_SHARE_H
 #define HALFSPACE_SHARE_H
@@ -135,8 +135,8 @@ HS_CHECKED hs_status hs_world_pack(hs_world *world, const int64_t keys[], int64_
  *  @param context as that of `from`, or another one
  *  @param from a share or a whole world; it does not change, and may be destroyed afterwards
  *  @param blocks in ascending order of keys: all own blocks of the new share, copies of all blocks within its
- *         halo, and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks
- *         are new, in this order
+ *         halo, and all blocks that are everywhere. Copies need bytes. Bytes are those of the present step.
+ *         Ids of blocks are new, in this order
  *  @param count number of blocks
  *  @param share receives the world; destroy it with hs_world_destroy()
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (`from` has what shares cannot hold, or is within a step),

@@ -29,6 +29,8 @@ void World<D>::record(std::size_t slot, bool with_outline, BlockRecord<D>& out) 
   const Blocks<D>& blocks = model_.blocks;
   NeighborList<D>& neighbors = contacts_.neighbors();
   out.key = share_.key_of(slot);
+  out.step = clock_.steps();
+  out.version = snapshot::version;
   out.has_outline = with_outline;
   out.is_new = contacts_.is_new(slot);
   out.state = blocks.state_of(slot);
@@ -84,8 +86,10 @@ AssemblyFault::Kind World<D>::read_record(World<D>& from, const PackedBlock& blo
   } else {
     snapshot::Reader reader(block.bytes);
     reader(out);
-    if (reader.failed() || !reader.at_end() || !out.is_complete() || out.key != block.key)
+    if (reader.failed() || !reader.at_end() || !out.is_complete() || out.key != block.key ||
+        out.version != snapshot::version)
       return AssemblyFault::damaged_record;
+    if (out.step != from.clock_.steps()) return AssemblyFault::other_step;
     if (!out.has_outline && !is_known) return AssemblyFault::unknown_outline;
     if (!is_known && !model_.blocks.is_sound(out.outline)) return AssemblyFault::damaged_record;
   }

@@ -23,6 +23,7 @@ struct AssemblyFault {
     unknown_block,    // without a record, and not one of the other world's own blocks
     unknown_outline,  // the record has no outline, and the other world has no such block
     damaged_record,
+    other_step,  // the record is of another step than the world
     wrong_role,  // own and copied blocks move freely, others are everywhere
     inconsistent_state
   };

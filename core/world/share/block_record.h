@@ -45,6 +45,8 @@ struct BlockRecord {
   explicit BlockRecord(Memory* memory) : outline(memory), pairs(memory), plans(memory) {}
 
   std::int64_t key = 0;
+  std::int64_t step = 0;     // of the world that it comes from
+  std::int32_t version = 0;  // of snapshots, whose states it holds
   std::int32_t has_outline = 0;
   std::int32_t is_new = 0;  // until its first step
   BlockState<D> state;
@@ -61,7 +63,8 @@ struct BlockRecord {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(key, has_outline, is_new, state, acceleration, momentum_rate, entry, peaks, pairs, plans);
+    archive(key, step, version, has_outline, is_new, state, acceleration, momentum_rate, entry, peaks, pairs,
+            plans);
     if (has_outline) archive(outline);
   }
 };

@@ -38,8 +38,8 @@ class Share {
   explicit Share(Memory* memory)
       : keys_(memory), roles_(memory), rings_(memory), is_border_(memory), is_idle_(memory) {}
 
-  /// All blocks are own ones.
-  bool is_whole() const { return roles_.empty(); }
+  /// All blocks are own ones. A share may be without any.
+  bool is_whole() const { return common_.blocks == 0; }
   bool is_own(std::size_t slot) const { return is_whole() || roles_[slot] == ShareRole::own; }
   /// A copy that need not move.
   bool is_idle(std::size_t slot) const { return !is_idle_.empty() && is_idle_[slot]; }
@@ -86,7 +86,7 @@ class Share {
   }
   /// Properties that all shares of a world have in common.
   struct Common {
-    std::int64_t blocks = 0;     // of all shares, copies not counted
+    std::int64_t blocks = 0;     // of all shares, copies not counted; in a whole world not set
     std::int64_t first_key = 0;  // of the free blocks
     double typical_radius = 0;   // their median
   };
@@ -150,7 +150,8 @@ class Share {
   template <class IsFixed>
   bool is_consistent(std::size_t slots, IsFixed is_fixed) const {
     const auto is_per_slot = [&](const auto& array) { return array.empty() || array.size() == slots; };
-    if (!is_per_slot(keys_) || !is_per_slot(roles_) || !is_per_slot(is_idle_) || keys_.size() < roles_.size())
+    if (!is_per_slot(keys_) || !is_per_slot(is_idle_) || keys_.size() < roles_.size() || common_.blocks < 0 ||
+        roles_.size() != (is_whole() ? 0 : slots))
       return false;
     for (std::size_t i = 0; i < roles_.size(); ++i) {
       const bool is_everywhere = roles_[i] == ShareRole::everywhere;
@@ -172,7 +173,7 @@ class Share {
   }
 
   Array<std::int64_t> keys_;  // per slot; empty: places
-  Array<ShareRole> roles_;    // per slot; empty: all are own
+  Array<ShareRole> roles_;    // per slot; none in a whole world
   Array<std::uint8_t> rings_;
   Array<std::uint8_t> is_border_;
   Array<std::uint8_t> is_idle_;  // empty: none is

@@ -265,10 +265,20 @@ fn bad_blocks_and_loads_are_refused() -> Result<()> {
     );
     assert_eq!(world.move_blocks().unwrap_err().kind(), ErrorKind::State);
 
-    let mut share = world.assemble(&[own(1), own(2)])?;
+    let error = world.assemble(&[own(1), own(2)]).unwrap_err();
+    assert!(
+        error.to_string().contains("0 blocks that are everywhere"),
+        "{error}"
+    );
+    let floor = Packed {
+        key: 0,
+        role: Role::Everywhere,
+        bytes: None,
+    };
+    let mut share = world.assemble(&[floor, own(1), own(2)])?;
     let blocks: Vec<Block> = share.blocks();
-    assert_eq!((share.block_count(), share.share_info().own_count), (2, 2));
-    assert!(share.remove_block(blocks[0]).is_err());
+    assert_eq!((share.block_count(), share.share_info().own_count), (3, 2));
+    assert!(share.remove_block(blocks[1]).is_err());
     let mut sums = share.sums();
     share.set_sums(&sums)?;
     sums[0] = f64::NAN;
