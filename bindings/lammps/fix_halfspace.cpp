@@ -95,9 +95,8 @@ void FixHalfspace::create_atoms() {
     positions.insert(positions.end(), block.position.begin(), block.position.end());
   }
   const std::vector<int> types(tags.size(), 1);
-  constexpr int expand_shrunk_box = 1;
   lammps_create_atoms(lmp, int(tags.size()), tags.data(), types.data(), positions.data(), nullptr, nullptr,
-                      expand_shrunk_box);
+                      0);
   require_atoms();
   const std::set<tagint> here(atom->tag, atom->tag + atom->nlocal);
   for (PlacedRecord& block : blocks)
@@ -105,6 +104,9 @@ void FixHalfspace::create_atoms() {
 }
 
 void FixHalfspace::init() {
+  constexpr int minimize = 2;
+  if (update->whichflag == minimize)
+    error->all(FLERR, std::string("fix halfspace moves blocks by run; minimize has no forces of its own"));
   const hs_world_report report = share_->report();
   if (std::strcmp(update->unit_style, "si") != 0)
     error->all(FLERR, std::string("fix halfspace needs units si; they are ") + update->unit_style);

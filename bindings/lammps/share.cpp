@@ -4,6 +4,7 @@
 #include "share.h"
 
 #include <algorithm>
+#include <climits>
 #include <cstring>
 #include <numeric>
 
@@ -225,6 +226,11 @@ Bytes Share::joined() const {
   } else {
     for (const auto& [tag, record] : records_) add(tag, record);
   }
+  std::int64_t size_of_all = std::int64_t(own.size() * sizeof(double));
+  MPI_Allreduce(MPI_IN_PLACE, &size_of_all, 1, MPI_INT64_T, MPI_SUM, world);
+  if (size_of_all > INT_MAX)
+    error->all(FLERR, "fix halfspace: the records of all blocks have " + std::to_string(size_of_all) +
+                          " bytes, too many for one process; save shares in a directory");
   const std::vector<double> all_records = gathered(own, world);
   double sums[HS_SUM_COUNT], all[HS_SUM_COUNT];
   check(hs_world_get_sums(world_, sums));

@@ -86,6 +86,7 @@ class Share : protected LAMMPS_NS::Pointers {
   Bytes settings() const;
   void add_to_start(double sums[]);
   void require_all() const;
+  void make_box_hold_start() const;
   std::vector<int> processes_at(const std::array<double, 3>& place) const;
   void broadcast(Bytes& bytes) const;
   static hs_share_plan combined(const hs_share_plan& own, MPI_Comm world);

@@ -127,7 +127,34 @@ std::vector<int> Share::processes_at(const std::array<double, 3>& place) const {
   return {processes.begin(), processes.end()};
 }
 
+/// A shrink-wrapped box follows the blocks, so it may begin elsewhere. LAMMPS would give an atom beside it to
+/// several processes, or to none.
+void Share::make_box_hold_start() const {
+  constexpr int shrink_wrapped = 2, minimal = 3;
+  constexpr double margin = 1e-4;  // as LAMMPS has it
+  double ends[6];                  // the lower ones, and those of the negative axes
+  for (int k = 0; k < 3; ++k) {
+    ends[k] = domain->boxlo[k];
+    ends[k + 3] = -domain->boxhi[k];
+    for (const PlacedRecord& block : start_) {
+      ends[k] = std::min(ends[k], block.position[std::size_t(k)]);
+      ends[k + 3] = std::min(ends[k + 3], -block.position[std::size_t(k)]);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_DOUBLE, MPI_MIN, world);
+  const auto follows = [](int boundary) { return boundary == shrink_wrapped || boundary == minimal; };
+  for (int k = 0; k < 3; ++k) {
+    const double low = ends[k], high = -ends[k + 3], beyond = margin * (high - low);
+    if (follows(domain->boundary[k][0]) && low < domain->boxlo[k]) domain->boxlo[k] = low - beyond;
+    if (follows(domain->boundary[k][1]) && high > domain->boxhi[k]) domain->boxhi[k] = high + beyond;
+  }
+  domain->set_initial_box();
+  domain->set_global_box();
+  domain->set_local_box();
+}
+
 std::vector<PlacedRecord> Share::dealt() {
+  make_box_hold_start();
   comm->coord2proc_setup();
   std::vector<std::vector<double>> sent(std::size_t(comm->nprocs));
   for (const PlacedRecord& block : start_) {

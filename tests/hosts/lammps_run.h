@@ -13,10 +13,10 @@ class LammpsRun {
   }
 
   /// The first lines of a script.
-  std::string box() const {
+  std::string box(const std::string& plane = "-40 40 -40 40") const {
     const std::string dimension = is_plane_ ? "2" : "3", z = is_plane_ ? "p" : "s";
     return "units si\ndimension " + dimension + "\nboundary s s " + z +
-           "\nnewton off\ncomm_style tiled\nregion box block -40 40 -40 40 " +
+           "\nnewton off\ncomm_style tiled\nregion box block " + plane + " " +
            (is_plane_ ? "-0.5 0.5" : "-40 40") + "\ncreate_box 1 box\nmass 1 1\n";
   }
   std::string fix(const std::string& start = "start.hsw", const std::string& end = "end.hsw") const {

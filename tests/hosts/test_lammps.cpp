@@ -29,6 +29,14 @@ TEST_CASE("LAMMPS reads shares and writes them", "[hosts]") {
   check_end(start, 1500, lammps.end());
 }
 
+TEST_CASE("a box that follows the blocks may begin anywhere", "[hosts]") {
+  const std::string box = GENERATE("0 0.1 0 0.1", "100 101 100 101");
+  const Snapshot start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID);
+  const LammpsRun lammps(start, true);
+  lammps.run(8, lammps.box(box) + lammps.fix() + "run 500\n");
+  check_end(start, 500, lammps.end());
+}
+
 TEST_CASE("LAMMPS writes a restart file before its first step", "[hosts]") {
   const Snapshot start = heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID);
   const LammpsRun lammps(start, true);
@@ -92,6 +100,7 @@ TEST_CASE("fix halfspace refuses worlds, files and boxes that it cannot move", "
   has(plane.error(plane.box() + fix + start + " save /dev/null/end" + run), "cannot write /dev/null/end");
   has(plane.error(plane.box() + fix + start + "\nfix more all halfspace " + start + run),
       "use one fix halfspace");
+  has(plane.error(plane.box() + fix + start + "\nminimize 1e-6 1e-6 10 10\n"), "moves blocks by run");
   has(plane.error(plane.box() + fix + start + run + "delete_atoms group all" + run),
       "of 80 blocks 0 are in the box");
 
