@@ -1436,8 +1436,8 @@ module halfspace_c
     end function hs_world_step
 
     !> Returns time, time step, counts and energies. After a change of the world it detects contacts and
-    !! evaluates forces first, without any effect on the run. Without a time step the energies are those
-    !! before the change.
+    !! evaluates forces first, without any effect on the run. Without a time step, or in a share until it has
+    !! begun, the energies are those before the change.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_world_get_report(world, report, size) bind(c)
       import
@@ -2359,8 +2359,8 @@ module halfspace_c
       type(c_ptr), value :: context  !< as that of `from`, or another one
       type(c_ptr), value :: from  !< a share or a whole world; it does not change, and may be destroyed afterwards
       !> in ascending order of keys: all own blocks of the new share, copies of all blocks within its halo,
-      !! and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks are new,
-      !! in this order
+      !! and all blocks that are everywhere. Copies need bytes. Bytes are those of the present step. Ids of
+      !! blocks are new, in this order
       type(c_ptr), value :: blocks
       integer(c_int64_t), value :: count  !< number of blocks
       type(c_ptr), intent(out) :: share  !< receives the world; destroy it with hs_world_destroy()

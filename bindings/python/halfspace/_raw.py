@@ -1481,8 +1481,8 @@ def declare(library: Any) -> None:
     library.hs_world_step.restype = hs_status
 
     # Returns time, time step, counts and energies. After a change of the world it detects contacts and
-    # evaluates forces first, without any effect on the run. Without a time step the energies are those before
-    # the change.
+    # evaluates forces first, without any effect on the run. Without a time step, or in a share until it has
+    # begun, the energies are those before the change.
     library.hs_world_get_report.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_world_report),  # report

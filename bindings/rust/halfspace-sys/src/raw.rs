@@ -2102,8 +2102,8 @@ extern "C" {
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Returns time, time step, counts and energies. After a change of the world it detects contacts and
-    /// evaluates forces first, without any effect on the run. Without a time step the energies are those
-    /// before the change.
+    /// evaluates forces first, without any effect on the run. Without a time step, or in a share until it has
+    /// begun, the energies are those before the change.
     ///
     /// - `world`: not NULL
     /// - `report`: receives it; fields unknown to this version of the library are 0
@@ -3234,8 +3234,8 @@ extern "C" {
     /// - `context`: as that of `from`, or another one
     /// - `from`: a share or a whole world; it does not change, and may be destroyed afterwards
     /// - `blocks`: in ascending order of keys: all own blocks of the new share, copies of all blocks within
-    ///   its halo, and all blocks that are everywhere. Copies need bytes of the present motion. Ids of blocks
-    ///   are new, in this order
+    ///   its halo, and all blocks that are everywhere. Copies need bytes. Bytes are those of the present
+    ///   step. Ids of blocks are new, in this order
     /// - `count`: number of blocks
     /// - `share`: receives the world; destroy it with hs_world_destroy()
     ///
