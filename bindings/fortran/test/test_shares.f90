@@ -241,7 +241,7 @@ contains
   end subroutine compare
 
   subroutine refusals()
-    type(halfspace_world) :: world, share
+    type(halfspace_world) :: world, copy, share
     integer(c_int8_t), target :: damaged(3)
     integer(c_int8_t), allocatable :: bytes(:), without_shapes(:)
     integer(c_size_t), allocatable :: ends(:)
@@ -266,6 +266,10 @@ contains
     call world%set_loads([10_int64], reshape([1.0_real64, 2.0_real64], [2, 1]), stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_ARGUMENT, 'loads of another shape')
     call expect_text(text, 'it must be (3, 1)')
+    copy = world
+    call copy%set_elasticity(1, halfspace_elasticity(1e8_real64))
+    call world%set_loads([10_int64], reshape([1.0_real64, 2.0_real64], [2, 1]), stat=stat, errmsg=text)
+    call expect_text(text, 'it must be (7, 1)')
     call world%move(stat=stat, errmsg=text)
     call expect(stat == HS_ERROR_STATE .and. index(text, 'hs_world_plan_motion') > 0, 'not planned')
     call share%keys(keys, stat=stat, errmsg=text)
