@@ -290,6 +290,8 @@ hs_status hs_world_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_shareable(w);
     require_piece(w.share().stage() != ShareStage::moved, "hs_world_end_step()");
+    if (w.share().has_stale_copies() && !w.is_detected() && w.candidates().needs_rebuild())
+      refuse(HS_ERROR_STATE, "laws have changed since copies were brought; call hs_world_assemble() first");
     const StepResult result = w.begin_in_share();
     if (result != StepResult::ok) refuse(HS_ERROR_STATE, "the world has no time step");
     w.share().enter(ShareStage::begun);

@@ -93,7 +93,7 @@ void World<D>::renew_neighbors_if_needed() {
 }
 
 /// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
-/// the contact computed if is_described(). In a share, pairs of copies are computed, but do not count.
+/// the contact computed if is_described(). In a share, pairs of copies are found, but do not count.
 template <int D>
 template <class OnContact>
 void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact) {
@@ -120,7 +120,7 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
       continue;
     }
     if (loads_own) contacts_.keep(k, chunk.begin, contact, sums);
-    on_contact(k, contact);
+    if (loads_own || pairs[k].bonded) on_contact(k, contact);
   }
 }
 
@@ -142,7 +142,7 @@ void World<D>::take_in_met(OnContact on_contact) {
       if (loads_own)
         sums.max_penetration_ratio =
             std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
-      on_contact(k, contact, sums);
+      if (loads_own || pair.bonded) on_contact(k, contact, sums);
     }
   }
 }

@@ -157,6 +157,15 @@ TEST_CASE("shares of affine blocks refuse a first law of potentials without its 
   CHECK(hs_world_set_default_law(restored(context.get(), start).get(), &law) == HS_OK);
 }
 
+TEST_CASE("shares are assembled between a change of laws and the beginning", "[shares]") {
+  SplitWorld split(heap_in_plane(laws_of_stiffness[0], HS_BLOCK_RIGID), 2);
+  while (split.assemblies() == 0) split.step();
+  const hs_law_def law = law_of(laws_of_stiffness[1], 5e7, 0.4);
+  require_ok(hs_world_set_default_law(split.world(0), &law), split.context());
+  CHECK(hs_world_begin(split.world(0)) == HS_ERROR_STATE);
+  CHECK_THAT(hs_context_last_error(split.context()), Catch::Contains("call hs_world_assemble() first"));
+}
+
 TEST_CASE("keys and roles of blocks are checked", "[shares]") {
   const Row row;
   CHECK(row.assemble({part(1, HS_ROLE_OWN), part(0, HS_ROLE_EVERYWHERE)}) == HS_ERROR_ARGUMENT);

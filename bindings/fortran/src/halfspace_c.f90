@@ -2394,7 +2394,8 @@ module halfspace_c
     !> Begins after blocks were added, or laws, velocities or forces changed: contacts, bonds by laws, and
     !! forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing
     !! has changed is left as it is.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share was not assembled after a change of laws, or
+    !! is within a step) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_begin(world) bind(c)
       import
       type(c_ptr), value :: world  !< a share or a whole world

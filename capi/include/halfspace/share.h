@@ -165,7 +165,8 @@ HS_CHECKED hs_status hs_world_set_sums(hs_world *world, const double sums[]);
  *  forces where blocks are. Then loads are carried, and hs_world_end_begin() follows. A world that nothing has
  *  changed is left as it is.
  *  @param world a share or a whole world
- *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share was not assembled after a change of laws, or is
+ *          within a step) or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_begin(hs_world *world);
 
 /** @brief Computes accelerations and energies of the beginning, from the loads.

@@ -24,7 +24,7 @@ enum class ShareStage { ready, begun, planned, moved };
 //
 //   ring 0   own blocks: all their pairs are here, so their loads are complete
 //   ring 1   copies that have a pair with an own block
-//   ring 2   copies that have a pair with ring 1
+//   ring 2   copies that have a pair with ring 1; between copies, only bonds need forces
 //   idle     other copies: nothing depends on them until the next assembly
 //
 // The entry face of a pair that meets depends on the other contacts of both blocks (Entrances), so the memory
@@ -43,6 +43,8 @@ class Share {
   bool is_own(std::size_t slot) const { return is_whole() || roles_[slot] == ShareRole::own; }
   /// A copy that need not move.
   bool is_idle(std::size_t slot) const { return !is_idle_.empty() && is_idle_[slot]; }
+  /// Since the last new list some copies may have rested. Their places are of no use to another list.
+  bool has_stale_copies() const { return !is_idle_.empty(); }
   bool is_copy(std::size_t slot) const { return !is_whole() && roles_[slot] == ShareRole::neighbor; }
   ShareRole role_of(std::size_t slot) const { return is_whole() ? ShareRole::own : roles_[slot]; }
 

@@ -3277,7 +3277,8 @@ extern "C" {
     ///
     /// - `world`: a share or a whole world
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share was not assembled after a change of laws, or
+    /// is within a step) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_begin(world: *mut hs_world) -> hs_status;
 
     /// Computes accelerations and energies of the beginning, from the loads.
