@@ -148,7 +148,6 @@ void Share::make_box_hold_start() const {
     if (follows(domain->boundary[k][0]) && low < domain->boxlo[k]) domain->boxlo[k] = low - beyond;
     if (follows(domain->boundary[k][1]) && high > domain->boxhi[k]) domain->boxhi[k] = high + beyond;
   }
-  domain->set_initial_box();
   domain->set_global_box();
   domain->set_local_box();
 }
