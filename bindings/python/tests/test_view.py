@@ -16,7 +16,7 @@ GRAVITY = 9.81
 def header_of(page: pathlib.Path):
     text = page.read_text(encoding="utf-8")
     packed = re.search(r'<script type="text/plain" id="header">([^<]*)</script>', text).group(1)
-    return json.loads(zlib.decompress(base64.b64decode(packed)))
+    return json.loads(zlib.decompress(base64.b85decode(packed.translate(str.maketrans(",./", "&<>")))))
 
 
 def columns_of(header, table):

@@ -43,8 +43,7 @@ class BlockMesh {
   show(frame, values, hasGreyFixed = false) {
     const {states, recording: {dimension, blocks}} = this;
     const present = frame.column("blocks", "present");
-    const [x, y, z, angle, qx, qy, qz, qw] =
-      ["x", "y", "z", "angle", "qx", "qy", "qz", "qw"].map((name) => frame.column("blocks", name));
+    const [x, y, z, angle, turnX, turnY, turnZ] = poseColumns.map((name) => frame.column("blocks", name));
     const hidden = -2e30, missing = 2e30;
     for (let b = 0, i = 0; b < blocks.length; ++b, i += 8) {
       const value = values[b], isColoured = Number.isFinite(value) && !(hasGreyFixed && isFixed(blocks[b]));
@@ -59,11 +58,12 @@ class BlockMesh {
         states[i + 7] = Math.cos(angle[b] / 2);
         continue;
       }
-      const length = Math.sqrt(qx[b] ** 2 + qy[b] ** 2 + qz[b] ** 2 + qw[b] ** 2) || 1;
-      states[i + 4] = qx[b] / length;
-      states[i + 5] = qy[b] / length;
-      states[i + 6] = qz[b] / length;
-      states[i + 7] = qw[b] / length;
+      const turn = Math.sqrt(turnX[b] ** 2 + turnY[b] ** 2 + turnZ[b] ** 2);
+      const factor = turn > 0 ? Math.sin(turn / 2) / turn : 0;
+      states[i + 4] = factor * turnX[b];
+      states[i + 5] = factor * turnY[b];
+      states[i + 6] = factor * turnZ[b];
+      states[i + 7] = Math.cos(turn / 2);
     }
     const count = frame.count("nodes");
     ["x", "y", "z"].slice(0, dimension).forEach((name, axis) => {

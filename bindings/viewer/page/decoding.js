@@ -2,11 +2,24 @@
 
 // Turns the texts of the page back into numbers.
 
+const digitsOfBase85 =
+  "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%,()*+-;.=/?@^_`{|}~";
+
+/** The bytes of a text of base 85: four of five digits, n - 1 of the last n ones. */
+function bytesOfBase85(text) {
+  const digits = new Uint8Array(128), bytes = new Uint8Array(Math.floor((4 * text.length) / 5));
+  [...digitsOfBase85].forEach((digit, value) => { digits[digit.charCodeAt(0)] = value; });
+  for (let i = 0, place = 0; i < text.length; i += 5) {
+    let number = 0;
+    for (let k = i; k < i + 5; ++k) number = 85 * number + (k < text.length ? digits[text.charCodeAt(k)] : 84);
+    for (let shift = 24; shift >= 0 && place < bytes.length; shift -= 8) bytes[place++] = number >>> shift;
+  }
+  return bytes;
+}
+
 /** The bytes of an element of the page. */
 async function bytesOf(id) {
-  const text = atob(document.getElementById(id).textContent);
-  const packed = new Uint8Array(text.length);
-  for (let i = 0; i < packed.length; ++i) packed[i] = text.charCodeAt(i);
+  const packed = bytesOfBase85(document.getElementById(id).textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

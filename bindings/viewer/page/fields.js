@@ -29,7 +29,7 @@ function fieldsOf(recording, start) {
   axes.forEach((axis, index) => fields.push(new Field(`displacement ${axis}`, "m",
     (frame) => displacement(frame, index), null, {map: "diverging"})));
   for (const column of recording.description("blocks")) {
-    if (["present", "x", "y", "z", "angle", "qx", "qy", "qz", "qw"].includes(column.name)) continue;
+    if (column.name === "present" || poseColumns.includes(column.name)) continue;
     const isSigned = column.low < 0;
     fields.push(new Field(column.name, column.unit, (frame) => frame.column("blocks", column.name),
       [isSigned ? column.usual_low : 0, column.usual_high], {map: isSigned ? "diverging" : "viridis"}));

@@ -47,7 +47,7 @@ class Joints {
     if (block.firstNode >= 0) return rounding * stepOf("nodes", "x");
     const {place} = this.blockMesh.pose(block.number);
     const reach = Math.max(...points.map((point) => point.distanceTo(place)));
-    const turn = dimension === 2 ? 0.5 * stepOf("blocks", "angle") : Math.sqrt(3) * stepOf("blocks", "qx");
+    const turn = 0.5 * (dimension === 2 ? stepOf("blocks", "angle") : Math.sqrt(3) * stepOf("blocks", "turn_x"));
     return rounding * stepOf("blocks", "x") + turn * reach;
   }
 

@@ -1,5 +1,8 @@
 "use strict";
 
+/** Columns of a block's pose: its centroid, and its angle in 2D, its rotation vector in 3D. */
+const poseColumns = ["x", "y", "z", "angle", "turn_x", "turn_y", "turn_z"];
+
 /** A table of a group of frames: for each column the values of all items, unpacked when they are first read. */
 class GroupTable {
   constructor(description, reader, frameCount) {

@@ -34,6 +34,23 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
+std::string base85(const std::string& bytes) {
+  constexpr char digits[] =
+      "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%,()*+-;.=/?@^_`{|}~";
+  std::string text;
+  text.reserve((bytes.size() + 3) / 4 * 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    const std::size_t count = std::min<std::size_t>(4, bytes.size() - i);
+    std::uint32_t number = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      number = number << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    char group[5];
+    for (std::size_t k = 5; k-- > 0; number /= 85) group[k] = digits[number % 85];
+    text.append(group, count + 1);
+  }
+  return text;
+}
+
 std::string json(const std::string& text) {
   constexpr char digits[] = "0123456789abcdef";
   std::string quoted = "\"";

@@ -96,8 +96,8 @@ std::string Recording::page(const std::string& viewer) {
   if (place == std::string::npos) throw std::runtime_error("the viewer's page has no place for a recording");
   if (frames_in_group_ > 0) pack_group();
   std::string page = viewer.substr(0, place) + "<title>" + escaped(title_) + "</title>\n";
-  page += element("header", base64(deflated(header())));
-  page += element("geometry", base64(deflated(geometry())));
+  page += element("header", base85(deflated(header())));
+  page += element("geometry", base85(deflated(geometry())));
   for (std::size_t g = 0; g < groups_.size(); ++g) page += element("group-" + std::to_string(g), groups_[g]);
   return page + viewer.substr(place + std::string(place_of_recording).size());
 }

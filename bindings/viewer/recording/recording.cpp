@@ -14,7 +14,8 @@ namespace {
 /// The columns of a block and of a contact that stand at a fixed place.
 constexpr std::size_t present = 0, first_coordinate = 1;
 
-constexpr double rotation_step = 0x1p-12, direction_step = 0x1p-6;
+constexpr double angle_step = 0x1p-12, turn_step = 0x1p-11;  // in 2D, in 3D
+constexpr double direction_step = 0x1p-6;
 constexpr double positions_per_size = 2048;  // of a block
 constexpr double steps_per_origin = 0x1p20;
 constexpr std::size_t max_frames_per_group = 32, values_per_group = 400000;
@@ -42,6 +43,22 @@ Point rotated(const Quaternion& q, const Point& v) {
 
 Quaternion inverse(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// The rotation vector nearest to the one before: axis times angle, with so many whole turns.
+Point turn_of(const Quaternion& q, const Point& before) {
+  const Point part = {q[0], q[1], q[2]};
+  const Point& along = dot(part, part) > 0 ? part : before;  // no rotation: any axis
+  const double length = std::sqrt(dot(along, along));
+  if (length == 0) return {};
+  Point turn{};
+  for (std::size_t i = 0; i < 3; ++i) turn[i] = along[i] / length;
+  const double angle = 2 * std::atan2(std::sqrt(dot(part, part)), q[3]), circle = 2 * std::numbers::pi;
+  const double nearest = angle + circle * std::round((dot(turn, before) - angle) / circle);
+  for (double& component : turn) component *= nearest;
+  return turn;
+}
+
 /// The larger one of the extents along the axes.
 double size_of(const std::vector<Point>& vertices) {
   double size = 0;
@@ -60,9 +77,7 @@ Point mean_of(const std::vector<Point>& points) {
   return mean;
 }
 
-double square(const Point& vector) {
-  return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
-}
+double square(const Point& vector) { return dot(vector, vector); }
 
 }  // namespace
 
@@ -80,7 +95,7 @@ std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
   const auto is_bare = [](const Block& other) { return other.shape.vertices.empty(); };
   if (std::all_of(blocks_.begin(), blocks_.end(), is_bare)) origin_ = pose.position;
   block.shape = std::move(shape);
-  block.rotation = pose.rotation;
+  block.turn = turn_of(pose.rotation, {});
   for (Point& vertex : block.shape.vertices) {
     for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] -= pose.position[axis];
     vertex = rotated(inverse(pose.rotation), vertex);
@@ -121,9 +136,10 @@ void Recording::make_tables() {
   std::vector<Column> blocks = {{.name = "present", .coding = Coding::flag}};
   std::vector<Column> nodes, contacts = blocks, bolts = blocks;
   add_axes(blocks, "", "m", dimension_, Coding::lattice, step);
-  for (const char* name :
-       dimension_ == 2 ? std::vector<const char*>{"angle"} : std::vector<const char*>{"qx", "qy", "qz", "qw"})
-    blocks.push_back({.name = name, .coding = Coding::lattice, .step = rotation_step});
+  if (dimension_ == 2)
+    blocks.push_back({.name = "angle", .coding = Coding::lattice, .step = angle_step});
+  else
+    add_axes(blocks, "turn_", "", dimension_, Coding::lattice, turn_step);
   add_axes(nodes, "", "m", dimension_, Coding::lattice, step / 16);
   add_axes(contacts, "", "m", dimension_, Coding::lattice, 8 * step);
   for (const char* name : {"block_a", "block_b"})
@@ -157,21 +173,10 @@ void Recording::set_rigid(std::size_t block, const Pose& pose) {
   const Point position = from_origin(pose.position);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
     of_blocks_.set(column++, block, position[axis]);
-  Quaternion& before = blocks_[block].rotation;
-  Quaternion now = pose.rotation;
-  if (dimension_ == 2) {
-    // The turn nearest to the angle before, which is kept in place of the quaternion's first component.
-    const double angle = 2 * std::atan2(now[2], now[3]), turn = 2 * std::numbers::pi;
-    before[0] = angle + turn * std::round((before[0] - angle) / turn);
-    of_blocks_.set(column, block, before[0]);
-    return;
-  }
-  double cosine = 0;
-  for (std::size_t i = 0; i < 4; ++i) cosine += before[i] * now[i];
-  for (std::size_t i = 0; i < 4; ++i) {
-    before[i] = cosine < 0 ? -now[i] : now[i];
-    of_blocks_.set(column++, block, before[i]);
-  }
+  Point& turn = blocks_[block].turn;
+  turn = turn_of(pose.rotation, turn);
+  for (std::size_t axis = dimension_ == 2 ? 2 : 0; axis < 3; ++axis)
+    of_blocks_.set(column++, block, turn[axis]);
 }
 
 void Recording::set_deformed(std::size_t block, const std::vector<Point>& vertices) {
@@ -257,7 +262,7 @@ void Recording::pack_group() {
     table->clear(table != &of_contacts_);
   }
   contact_items_.clear();
-  groups_.push_back(base64(deflated(bytes)));
+  groups_.push_back(base85(deflated(bytes)));
   frames_in_group_ = 0;
 }
 

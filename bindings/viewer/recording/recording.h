@@ -104,9 +104,9 @@ class Recording {
 
  private:
   struct Block {
-    BlockShape shape;       ///< with vertices relative to the first pose; if it is still, with positions
-    Quaternion rotation{};  ///< in the last frame, of either sign
-    int first_node = -1;    ///< of a block that deforms
+    BlockShape shape;     ///< with vertices relative to the first pose; if it is still, with positions
+    Point turn{};         ///< rotation vector in the last frame
+    int first_node = -1;  ///< of a block that deforms
   };
   struct Water {
     std::size_t frame = 0;  ///< the first one that has it
