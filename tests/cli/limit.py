@@ -132,6 +132,25 @@ class Limit(SceneTest):
         answer = self.run_scene(text, "--load", "blok", code=1, command="limit")
         self.assertIn("no such load: \"blok\" (did you mean 'block'?)", answer.stderr)
 
+    def test_the_last_stage_runs(self):
+        """Pushed for 2 s, the block slides by more than 1 cm if its friction is below 0.3 - 2 s / g t^2; the springs
+        oscillate as the push begins, and give some of that."""
+        run = '\n[[stage]]\ndo = "settle"\n[[stage]]\nname = "push"\ndo = "run"\nduration = 2\n'
+        push = in_plane(5, 30).replace("duration = 1\n", "") + run + "gravity = [3, -10]\n"
+        needed = 0.3 - 2 * 0.01 / (4 * 10)
+        arguments = "--limit", 0.01
+        report = self.run_scene(push, *arguments, command="safety").stdout
+        self.assertIn("each trial          the last stage, 2 s\n", report)
+        found = float(re.search(r"factor of safety +(\S+),", report)[1])
+        self.assertAlmostEqual(found, math.tan(math.radians(30)) / needed, delta=0.01)
+        friction = self.bracket(push, *arguments, "--smallest", "--set", "default_law.friction_angle=5:40")
+        self.assertAlmostEqual(sum(friction) / 2, math.degrees(math.atan(needed)), delta=0.1)
+        # Gravity has its angle already, the turn is added; also while it changes to a larger one.
+        tilt = self.bracket(push, *arguments, "--tilt")
+        self.assertAlmostEqual(sum(tilt) / 2, 30 - math.degrees(math.atan(0.3)), delta=0.1)
+        ramped = push.replace("gravity = [3, -10]", "gravity = [0, -12]\nramp = 0.5")
+        self.assertAlmostEqual(sum(self.bracket(ramped, *arguments, "--tilt")) / 2, 30, delta=0.1)
+
     def test_resuming_takes_the_known_trials(self):
         text = in_plane(5, 30)
         report = self.run_scene(text, "--tilt", command="limit").stdout

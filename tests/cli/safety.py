@@ -195,9 +195,11 @@ rotation = -{dip}
         os.close(controller)
         self.assertRegex(shown, r"\[#* *\] \d+ %  (settling|trial \d+), ")
 
-    def test_scenes_that_run_are_refused(self):
-        text = scene_of(RIGID, 20).replace("duration = 1\n", "") + '[[stage]]\ndo = "run"\nduration = 1\n'
-        self.assertIn("allowed: stages that settle", self.safety(text, code=1))
+    def test_stages_that_run_before_the_search(self):
+        text = scene_of(RIGID, 20).replace("duration = 1\n", "")
+        settled = self.factor(text + '[[stage]]\ndo = "settle"\n')
+        ran = self.factor(text + '[[stage]]\ndo = "run"\nduration = 0.5\n[[stage]]\ndo = "settle"\n')
+        self.assertAlmostEqual(ran, settled, delta=0.01)
 
 
 if __name__ == "__main__":

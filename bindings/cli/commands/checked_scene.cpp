@@ -60,15 +60,4 @@ void require_free_block(CheckedScene& checked, const std::string& by) {
     checked.faults.add({}, "", "no free block; required for " + by + ": a rigid, affine or mesh block");
 }
 
-void require_rest(CheckedScene& checked, const std::string& by) {
-  const std::vector<SceneStage>& stages = checked.scene.stages;
-  const auto runs = [](const SceneStage& stage) { return !stage.settles; };
-  const auto running = std::find_if(stages.begin(), stages.end(), runs);
-  if (running == stages.end()) return;
-  checked.faults.add({}, "stage[" + std::to_string(running - stages.begin()) + "]",
-                     "it runs; " + by +
-                         R"( requires a scene at rest; allowed: stages that settle: do = "settle")"
-                         " without duration, rest_speed and ramp");
-}
-
 }  // namespace halfspace::cli

@@ -45,9 +45,6 @@ std::string bytes_of(const SceneFile& file, const Scene& scene);
 /// Adds a fault to a scene in which nothing moves freely; `by` names what requires a block that does.
 void require_free_block(CheckedScene& checked, const std::string& by);
 
-/// Adds a fault to a scene with stages that run; `by` names what requires a scene at rest.
-void require_rest(CheckedScene& checked, const std::string& by);
-
 void print(std::FILE* stream, const std::string& text);
 
 }  // namespace halfspace::cli

@@ -139,7 +139,6 @@ int safety(const SceneFile& file, const Target& target, const SearchOptions& opt
   }
   CheckedScene checked = load(file, target.threads);
   require_free_block(checked, "a factor of safety");
-  require_rest(checked, "a factor of safety");
   if (!checked.faults.none()) return refuse(file, checked.faults);
   OutputDirectory directory = directory_of(target, options.resumes, "trials.csv");
   const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));

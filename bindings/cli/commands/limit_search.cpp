@@ -107,7 +107,6 @@ CheckedScene LimitSearch::made_at(double value) const {
     checked.faults.add({}, "mesh", no_such_load(checked.scene, options_.name));
   lay_out(checked);
   require_free_block(checked, "a limit");
-  require_rest(checked, "a limit");
   return checked;
 }
 
@@ -127,7 +126,7 @@ TrialStart LimitSearch::begin(double value) const {
   std::vector<double> limits = limits_at_start(made->model.frame());
   if (options_.limit > 0) limits.assign(limits.size(), options_.limit);
   return {.model = std::shared_ptr<Model>(made, &made->model),
-          .stages = stages_to_rest(made->checked.scene),
+          .stages = stages_of_search(made->checked.scene),
           .are_of_scene = !made->checked.scene.stages.empty(),
           .limits = std::move(limits)};
 }

@@ -32,8 +32,8 @@ struct LimitOptions {
 /// Reads a scene, with the context of its blocks.
 using ReadScene = std::function<CheckedScene(const SceneFile&)>;
 
-/// Bisects the largest, or the smallest, value at which a scene is stable. A tilt is searched from rest; each
-/// trial of a load or a setting is a new scene.
+/// Bisects the largest, or the smallest, value at which a scene is stable. A tilt is searched from rest, or
+/// from the start of a last stage that runs; each trial of a load or a setting is a new scene.
 class LimitSearch {
  public:
   /// Makes the scene at both ends of the bracket. @throws std::invalid_argument for options that do not fit

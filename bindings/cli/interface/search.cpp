@@ -104,7 +104,6 @@ hs_status hs_scene_find_safety(hs_scene* scene, hs_context* context, const hs_sc
     require_displacement(def->limit);
     CheckedScene checked = checked_scene(*scene, context);
     require_free_block(checked, "a factor of safety");
-    require_rest(checked, "a factor of safety");
     require_faultless(*scene, checked.faults);
     OutputDirectory directory = directory_of(*def);
     const auto model = std::make_shared<Model>(checked.context, checked.scene, std::move(checked.layout));

@@ -73,7 +73,7 @@ class Model {
   void restore(const std::string& world);
   /// Divides all strengths of the scene by a factor.
   void weaken(double factor);
-  /// Turns the gravity of the scene, or of its last stage, about an axis of unit length, by an angle in rad.
+  /// Turns gravity, also while a stage changes it, about an axis of unit length, by an angle in rad.
   void tilt(const Point& axis, double angle);
 
   /// True after the step nearest to this time.
@@ -134,6 +134,7 @@ class Model {
   void load_nodes(std::size_t body);
   std::optional<Water> water() const;
   void set_water();
+  void set_gravity();
   void prepare_bolts();
   void install(std::size_t bolt);
   hs_block block_at_end(const Bolt& bolt, std::size_t end) const;

@@ -37,10 +37,7 @@ void Model::begin(const SceneStage& stage, const std::vector<std::size_t>& excav
 void Model::change_to(double progress) {
   if (state_.progress == progress) return;
   state_.progress = progress;
-  const Point gravity =
-      progress == 1 ? state_.gravity
-                    : plus(times(1 - progress, state_.gravity_before), times(progress, state_.gravity));
-  require(context_, hs_world_set_gravity(world_.get(), gravity.data()));
+  set_gravity();
   set_water();
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     if (bodies_[body] != 0) load_nodes(body);
@@ -48,12 +45,20 @@ void Model::change_to(double progress) {
   update_report();
 }
 
+void Model::set_gravity() {
+  const double progress = state_.progress;
+  const Point gravity =
+      progress == 1 ? state_.gravity
+                    : plus(times(1 - progress, state_.gravity_before), times(progress, state_.gravity));
+  require(context_, hs_world_set_gravity(world_.get(), gravity.data()));
+}
+
 void Model::tilt(const Point& axis, double angle) {
-  const Point& down = state_.gravity;
-  const Point along = times(dot(axis, down) * (1 - std::cos(angle)), axis);
-  const Point turned =
-      plus(plus(times(std::cos(angle), down), times(std::sin(angle), cross(axis, down))), along);
-  require(context_, hs_world_set_gravity(world_.get(), turned.data()));
+  for (Point* gravity : {&state_.gravity_before, &state_.gravity}) {
+    const Point down = *gravity, along = times(dot(axis, down) * (1 - std::cos(angle)), axis);
+    *gravity = plus(plus(times(std::cos(angle), down), times(std::sin(angle), cross(axis, down))), along);
+  }
+  set_gravity();
 }
 
 /// Applies the current mesh loads, and the remaining forces of excavated cells.

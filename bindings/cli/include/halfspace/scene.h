@@ -194,7 +194,7 @@ HS_API void hs_scene_limit_def_init(hs_scene_limit_def *def);
 
 /** @brief Finds the largest, or the smallest, tilt, factor of loads or value of a key at which the scene is
  *  stable, and writes the files of `halfspace limit`.
- *  @param scene that was read, without stages that run @param context with the threads of the search
+ *  @param scene that was read @param context with the threads of the search
  *  @param def not NULL @param result receives the results; may be NULL
  *  @return as hs_scene_run(); HS_ERROR_FORMAT also if the scene is faulty at an end of the bracket */
 HS_CHECKED hs_status hs_scene_find_limit(hs_scene *scene, hs_context *context, const hs_scene_limit_def *def,

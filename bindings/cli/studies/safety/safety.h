@@ -9,7 +9,8 @@
 namespace halfspace::cli {
 
 /// Brings a scene to rest, by its stages or as it is, and bisects the largest factor by which all its
-/// strengths can be divided before it falls; see search(). `scene_text` identifies the scene.
+/// strengths can be divided before it falls; see search(). If the last stage runs for a time, each trial is
+/// this stage, from its start. `scene_text` identifies the scene.
 /// @throws LibraryError, std::runtime_error
 SearchResult find_factor_of_safety(const Scene& scene, std::shared_ptr<Model> model,
                                    const std::string& scene_text, const SearchOptions& options,

@@ -151,11 +151,12 @@ SearchResult search(const Scene& scene, Trials::Begin begin, const SearchWords& 
                     Progress& progress, OutputDirectory& directory) {
   SearchResult result{.report = first_lines};
   Bisection bisection(options, words, identity, directory);
-  Trials trials(std::move(begin), steps_of_trial_piece(scene), [&](double of_trial, double unbalanced) {
-    progress.show((static_cast<double>(bisection.count()) + of_trial) / bisection.count_of_all(),
-                  "trial " + std::to_string(bisection.count() + 1) + ", " + bisection.text(false) +
-                      ", unbalanced " + rounded(unbalanced, 2));
-  });
+  Trials trials(
+      std::move(begin), steps_of_trial_piece(scene), [&](double of_trial, const std::string& state) {
+        progress.show(
+            (static_cast<double>(bisection.count()) + of_trial) / bisection.count_of_all(),
+            "trial " + std::to_string(bisection.count() + 1) + ", " + bisection.text(false) + ", " + state);
+      });
   bool is_over = bisection.run(trials);
   // A failure known from an earlier search is run again for its picture.
   if (is_over && bisection.falls() && !trials.fall())

@@ -11,6 +11,7 @@
 #include "common/text.h"
 #include "common/vector.h"
 #include "output/tables.h"
+#include "run/run_on.h"
 #include "run/settle.h"
 
 namespace halfspace::cli {
@@ -103,7 +104,7 @@ std::vector<double> limits_at_start(const Frame& start) {
   return limits;
 }
 
-std::vector<SceneStage> stages_to_rest(const Scene& scene) {
+std::vector<SceneStage> stages_of_search(const Scene& scene) {
   if (!scene.stages.empty()) return scene.stages;
   SceneStage stage{.settles = true};
   hs_relaxation_def_init(&stage.relaxation, sizeof stage.relaxation);
@@ -123,32 +124,51 @@ std::optional<Trial> Trials::at(double value) {
   largest_limit_ = *std::max_element(start.limits.begin(), start.limits.end());
   const std::size_t events_before = model_->bond_events().size();
   Trial trial{.value = value, .stands = true};
-  bool has_fallen = false;
   for (std::size_t i = 0; i < start.stages.size() && trial.stands; ++i) {
-    const SceneStage& stage = start.stages[i];
-    Settling settling;
-    std::int64_t steps_before = trial.steps;
-    if (start.are_of_scene) model_->begin(stage, model_->layout().excavated[i]);
-    while (!has_fallen && !settling.is_over(stage, *model_)) {
-      if (interrupt_requested()) return std::nullopt;
-      hs_balance balance{};
-      try {
-        balance = settle_on(stage, *model_, settling, steps_of_piece_);
-      } catch (const LibraryError& error) {
-        if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST &&
-            error.status != HS_ERROR_INVERTED)
-          throw;
-        has_fallen = true;
-      }
-      trial.steps = steps_before + settling.steps;
-      if (find_farthest(start.limits, trial)) has_fallen = true;
-      show_(static_cast<double>(settling.steps) / static_cast<double>(stage.relaxation.max_steps),
-            balance.mean);
-    }
-    trial.stands = settling.is_at_rest(*model_) && !has_fallen;
+    if (start.are_of_scene) model_->begin(start.stages[i], model_->layout().excavated[i]);
+    const std::optional<bool> stands = stands_through(start.stages[i], start.limits, trial);
+    if (!stands) return std::nullopt;
+    trial.stands = *stands;
   }
   if (!trial.stands) remember_fall(events_before);
   return trial;
+}
+
+std::optional<bool> Trials::stands_through(const SceneStage& stage, const std::vector<double>& limits,
+                                           Trial& trial) {
+  Settling settling;
+  const std::int64_t steps_before = trial.steps, steps_at_start = model_->report().steps;
+  const double start = model_->report().time;
+  const auto is_over = [&] {
+    return stage.settles ? settling.is_over(stage, *model_) : has_ended(stage, *model_, start);
+  };
+  bool has_fallen = false;
+  while (!has_fallen && !is_over()) {
+    if (interrupt_requested()) return std::nullopt;
+    hs_balance balance{};
+    try {
+      if (stage.settles)
+        balance = settle_on(stage, *model_, settling, steps_of_piece_);
+      else
+        run_on(stage, *model_, start, steps_of_piece_);
+    } catch (const LibraryError& error) {
+      if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST &&
+          error.status != HS_ERROR_INVERTED)
+        throw;
+      has_fallen = true;
+    }
+    if (find_farthest(limits, trial)) has_fallen = true;
+    if (stage.settles) {
+      trial.steps = steps_before + settling.steps;
+      show_(static_cast<double>(settling.steps) / static_cast<double>(stage.relaxation.max_steps),
+            "unbalanced " + rounded(balance.mean, 2));
+    } else {
+      trial.steps = steps_before + model_->report().steps - steps_at_start;
+      show_((model_->report().time - start) / stage.duration,
+            "t = " + rounded(model_->report().time, 4) + " s");
+    }
+  }
+  return !has_fallen && (!stage.settles || settling.is_at_rest(*model_));
 }
 
 bool Trials::find_farthest(const std::vector<double>& limits, Trial& trial) const {

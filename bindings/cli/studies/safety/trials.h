@@ -12,8 +12,8 @@
 
 namespace halfspace::cli {
 
-/// A trial: a scene with a value is brought to rest. It stands if it comes to rest and no block has moved too
-/// far.
+/// A trial: a scene with a value goes through its stages. It stands if no block moves too far, and stages
+/// that settle come to rest.
 struct Trial {
   double value = 1;
   bool stands = false;
@@ -36,13 +36,13 @@ std::vector<double> limits_at_start(const Frame& start);
 /// The state in which a trial begins.
 struct TrialStart {
   std::shared_ptr<Model> model;    ///< with the value
-  std::vector<SceneStage> stages;  ///< which settle it
-  bool are_of_scene = false;       ///< stages of the scene, with their changes
+  std::vector<SceneStage> stages;  ///< of the trial
+  bool are_of_scene = false;       ///< all stages of the scene, whose changes are still to be made
   std::vector<double> limits;      ///< of the displacement of each block from here, m
 };
 
-/// The stages that bring a scene to rest: its own, or one under its loads.
-std::vector<SceneStage> stages_to_rest(const Scene& scene);
+/// The stages that a scene goes through: its own, or one that brings it to rest under its loads.
+std::vector<SceneStage> stages_of_search(const Scene& scene);
 
 /// The number of steps between two looks at the limits of a trial.
 std::int64_t steps_of_trial_piece(const Scene& scene);
@@ -51,9 +51,8 @@ std::int64_t steps_of_trial_piece(const Scene& scene);
 class Trials {
  public:
   using Begin = std::function<TrialStart(double value)>;
-  /// Called with the number of steps of a trial as a fraction of its largest number, and the unbalanced
-  /// ratio.
-  using Show = std::function<void(double fraction, double unbalanced)>;
+  /// Called with the fraction of a stage that is done at most, and the state of the trial in words.
+  using Show = std::function<void(double fraction, const std::string& state)>;
 
   Trials(Begin begin, std::int64_t steps_of_piece, Show show);
 
@@ -76,6 +75,10 @@ class Trials {
   double largest_limit() const { return largest_limit_; }
 
  private:
+  /// True if the stage is complete: at rest or at its end, and no block has moved beyond its limit. None when
+  /// it was interrupted. @throws LibraryError
+  std::optional<bool> stands_through(const SceneStage& stage, const std::vector<double>& limits,
+                                     Trial& trial);
   /// True if a block has moved beyond its limit.
   bool find_farthest(const std::vector<double>& limits, Trial& trial) const;
   void remember_fall(std::size_t events_before);

@@ -1,34 +1,21 @@
 #include "studies/trade/stepping.h"
 
-#include <algorithm>
-
 #include "common/interrupt.h"
+#include "run/run_on.h"
 #include "run/settle.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// Steps between two increments of gradual changes.
-constexpr std::int64_t steps_of_change = 16;
-
 RunEnd run_for_its_duration(const SceneStage& stage, Model& model, const StepCallbacks& callbacks,
                             double& end_time) {
-  const double start = model.report().time, ramp_end = start + stage.ramp;
+  const double start = model.report().time;
   end_time = start + stage.duration;
-  const double exact_end = stage.ends_exactly ? end_time : Model::never;
   while (!has_ended(stage, model, start)) {
-    if (!model.is_changed())
-      model.change_to(
-          stage.ramp == 0 || model.reached(ramp_end) ? 1 : (model.report().time - start) / stage.ramp);
-    if (model.is_changed()) {
-      model.step_towards(end_time, callbacks.steps_at_once, exact_end);
-    } else {
-      model.step_towards(ramp_end, std::min(callbacks.steps_at_once, steps_of_change), exact_end);
-    }
+    run_on(stage, model, start, callbacks.steps_at_once);
     callbacks.observe();
     if (interrupt_requested()) return RunEnd::interrupted;
   }
-  model.change_to(1);
   return RunEnd::whole;
 }
 
