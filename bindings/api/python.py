@@ -25,6 +25,17 @@ from ctypes import (
     c_void_p,
 )
 from typing import Any
+
+
+class _Struct(Structure):
+    """A struct that names the field which got a value of a wrong type."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        try:
+            super().__setattr__(name, value)
+        except TypeError as error:
+            raise TypeError(f"{{name}} is {{value!r}}: {{error}}") from None
+
 '''
 
 
@@ -81,7 +92,7 @@ def structs(api):
 
 def begun_class(described):
     lines = wrapped(described["comment"] + '"""', '    """', "    ")
-    return [f"class {described['name']}(Structure):", *lines]
+    return [f"class {described['name']}(_Struct):", *lines]
 
 
 def field_type(field):

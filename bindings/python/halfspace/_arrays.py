@@ -15,15 +15,32 @@ _DOUBLE = ctypes.sizeof(ctypes.c_double)
 _packed_view = struct.Struct("PPPqq").pack  # hs_view: three addresses, stride, count
 
 
+def floats(values: ArrayLike, name: str) -> NDArray[np.float64]:
+    """An array of float64. Raises TypeError or ValueError, with the name, if the values are no numbers."""
+    try:
+        return np.asarray(values, np.float64)
+    except (TypeError, ValueError) as error:
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{name}: {error}") from None
+
+
+def struct_of(value: Any, kind: Any, name: str) -> Any:
+    """The struct of a definition, such as a `Law`. Raises TypeError for anything else."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} is {value!r}; it must be a {kind.__name__}")
+    return value._as_struct()
+
+
 def require_above_0(**sizes: Any) -> None:
     """Refuses sizes that are not above 0 and finite, by their names."""
     for name, size in sizes.items():
-        if not (np.all(np.greater(size, 0)) and np.all(np.isfinite(size))):
+        given = floats(size, name)
+        if not (np.all(given > 0) and np.all(np.isfinite(given))):
             raise ValueError(f"{name} is {size}; it must be above 0 and finite")
 
 
 def _as_points(points: ArrayLike, components: Tuple[int, ...], name: str) -> NDArray[np.float64]:
-    array = np.asarray(points, np.float64)
+    array = floats(points, name)
     if array.ndim != 2 or array.shape[1] not in components:
         wanted = " or ".join(f"(n, {c})" for c in components)
         raise ValueError(f"{name} has the shape {array.shape}; it must be {wanted}")
@@ -71,7 +88,7 @@ def mutable_view_of(array: NDArray[np.float64], dimension: int, name: str) -> An
 
 def turns_view_of(turns: ArrayLike, dimension: int, name: str) -> Any:
     """A view of angular velocities to read: in 2D one number per block, about z, in 3D shape (n, 3)."""
-    array = np.asarray(turns, np.float64)
+    array = floats(turns, name)
     if dimension == 3 or array.ndim != 1:
         return view_of(array, 3, name)
     if not _fits(array):
@@ -85,15 +102,23 @@ def turns_view_of(turns: ArrayLike, dimension: int, name: str) -> Any:
 
 def vector(values: ArrayLike, name: str) -> Any:
     """Three doubles for C; z = 0 is added to two numbers."""
-    array = np.asarray(values, np.float64)
+    array = floats(values, name)
     if array.shape not in ((2,), (3,)):
         raise ValueError(f"{name} has the shape {array.shape}; it must have 2 or 3 numbers")
     return (ctypes.c_double * 3)(*array)
 
 
+def gravity_vector(gravity: ArrayLike, dimension: int) -> Any:
+    """Gravity for C. In the plane nothing can fall along z."""
+    given = vector(gravity, "gravity")
+    if dimension == 2 and given[2] != 0:
+        raise ValueError(f"gravity is {tuple(given)}; its z must be 0 in 2D")
+    return given
+
+
 def tensor(values: ArrayLike, name: str) -> Any:
     """Nine doubles for C, row by row; 2 x 2 values are completed by 0."""
-    array = np.asarray(values, np.float64)
+    array = floats(values, name)
     if array.shape not in ((2, 2), (3, 3)):
         raise ValueError(f"{name} has the shape {array.shape}; it must be (2, 2) or (3, 3)")
     whole = np.zeros((3, 3))
@@ -103,7 +128,7 @@ def tensor(values: ArrayLike, name: str) -> Any:
 
 def turn_vector(values: ArrayLike, name: str) -> Any:
     """An angular velocity or torque; one number is about z."""
-    array = np.asarray(values, np.float64)
+    array = floats(values, name)
     if array.shape not in ((), (3,)):
         raise ValueError(f"{name} has the shape {array.shape}; it must be one number, about z, or 3")
     return vector((0, 0, array.item()) if array.ndim == 0 else array, name)
@@ -171,7 +196,7 @@ def pose(
 
 def as_pose(values: ArrayLike, name: str) -> _raw.hs_pose:
     """A pose from 7 numbers, or from a position of 2 or 3 numbers."""
-    array = np.asarray(values, np.float64)
+    array = floats(values, name)
     if array.shape in ((2,), (3,)):
         array = pose(array)
     if array.shape != (7,):

@@ -17,6 +17,17 @@ from ctypes import (
 )
 from typing import Any
 
+
+class _Struct(Structure):
+    """A struct that names the field which got a value of a wrong type."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        try:
+            super().__setattr__(name, value)
+        except TypeError as error:
+            raise TypeError(f"{name} is {value!r}: {error}") from None
+
+
 # Names the interface that is described here.
 SONAME = "libhalfspace.so.0.1"
 
@@ -197,24 +208,24 @@ HS_ROLE_EVERYWHERE = 2  # fixed and prescribed blocks: in all shares, without lo
 HS_SUM_COUNT = 27  # 
 
 
-class hs_context(Structure):
+class hs_context(_Struct):
     """Opaque. Owns the allocator settings and the text of the last error."""
 
 
-class hs_task(Structure):
+class hs_task(_Struct):
     """Opaque. Parallel work for the host's scheduler, in parts that are independent; hs_task_run() runs one
     part."""
 
 
-class hs_shape(Structure):
+class hs_shape(_Struct):
     """Opaque convex polygon (2D) or polyhedron (3D)."""
 
 
-class hs_world(Structure):
+class hs_world(_Struct):
     """Opaque world."""
 
 
-class hs_mesh(Structure):
+class hs_mesh(_Struct):
     """Opaque, immutable mesh."""
 
 # Returns memory aligned to `alignment` bytes, or NULL if there is none. Default NULL: the C library's
@@ -229,7 +240,7 @@ hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
 hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
 
 
-class hs_view(Structure):
+class hs_view(_Struct):
     """Points to read. Point i is (x[i], y[i], z[i]), each pointer advanced by i * stride bytes."""
 
     _fields_ = [
@@ -242,7 +253,7 @@ class hs_view(Structure):
     ]
 
 
-class hs_mutable_view(Structure):
+class hs_mutable_view(_Struct):
     """Points to write, with the layout of hs_view."""
 
     _fields_ = [
@@ -255,7 +266,7 @@ class hs_mutable_view(Structure):
     ]
 
 
-class hs_pose(Structure):
+class hs_pose(_Struct):
     """Pose of a shape: position of its centroid and rotation about the centroid."""
 
     _fields_ = [
@@ -264,7 +275,7 @@ class hs_pose(Structure):
     ]
 
 
-class hs_contact(Structure):
+class hs_contact(_Struct):
     """One contact, or the proof of separation. Points and directions are in the frame of the given poses.
     Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and twist;
     `area` and all later fields if the blocks are separated or hs_pair_options.without_region is 1; points and
@@ -305,7 +316,7 @@ class hs_contact(Structure):
     ]
 
 
-class hs_law_def(Structure):
+class hs_law_def(_Struct):
     """Contact law: normal force by a penalty spring (Wang et al. 2021, section 3), a potential (Zheng et al.
     2020, section 3) or a unilateral constraint, with Mohr-Coulomb friction. Fill it with hs_law_def_init().
 
@@ -335,7 +346,7 @@ class hs_law_def(Structure):
     ]
 
 
-class hs_context_def(Structure):
+class hs_context_def(_Struct):
     """Settings of a context. Fill it with hs_context_def_init()."""
 
     _fields_ = [
@@ -361,7 +372,7 @@ class hs_context_def(Structure):
     ]
 
 
-class hs_fault(Structure):
+class hs_fault(_Struct):
     """First fault of an input."""
 
     _fields_ = [
@@ -372,7 +383,7 @@ class hs_fault(Structure):
     ]
 
 
-class hs_shape_properties(Structure):
+class hs_shape_properties(_Struct):
     """Geometry and mass properties per unit density. Later versions may append to it."""
 
     _fields_ = [
@@ -391,7 +402,7 @@ class hs_shape_properties(Structure):
     ]
 
 
-class hs_clean_report(Structure):
+class hs_clean_report(_Struct):
     """Changes by hs_polygon_clean()."""
 
     _fields_ = [
@@ -402,7 +413,7 @@ class hs_clean_report(Structure):
     ]
 
 
-class hs_fit_report(Structure):
+class hs_fit_report(_Struct):
     """Changes by hs_polyhedron_create_fitted(), or the dent that it refuses."""
 
     _fields_ = [
@@ -416,7 +427,7 @@ class hs_fit_report(Structure):
     ]
 
 
-class hs_world_def(Structure):
+class hs_world_def(_Struct):
     """Settings of a world. Fill it with hs_world_def_init()."""
 
     _fields_ = [
@@ -452,7 +463,7 @@ class hs_world_def(Structure):
     ]
 
 
-class hs_block_def(Structure):
+class hs_block_def(_Struct):
     """Settings of a block. Fill it with hs_block_def_init()."""
 
     _fields_ = [
@@ -466,7 +477,7 @@ class hs_block_def(Structure):
     ]
 
 
-class hs_block_state(Structure):
+class hs_block_state(_Struct):
     """Motion of a block."""
 
     _fields_ = [
@@ -482,7 +493,7 @@ class hs_block_state(Structure):
     ]
 
 
-class hs_energy(Structure):
+class hs_energy(_Struct):
     """Energy ledger since the world was made, J, in 2D per unit thickness. Changes by the host (added or
     removed blocks, set motions) count as external work. See docs/concepts/energy.md."""
 
@@ -500,7 +511,7 @@ class hs_energy(Structure):
     ]
 
 
-class hs_world_report(Structure):
+class hs_world_report(_Struct):
     """State of a world. Later versions may append to it."""
 
     _fields_ = [
@@ -550,7 +561,7 @@ class hs_world_report(Structure):
     ]
 
 
-class hs_mesh_properties(Structure):
+class hs_mesh_properties(_Struct):
     """Summary of a mesh. Later versions may append to it."""
 
     _fields_ = [
@@ -563,7 +574,7 @@ class hs_mesh_properties(Structure):
     ]
 
 
-class hs_body_def(Structure):
+class hs_body_def(_Struct):
     """Settings of a body. Fill it with hs_body_def_init()."""
 
     _fields_ = [
@@ -575,7 +586,7 @@ class hs_body_def(Structure):
     ]
 
 
-class hs_body_state(Structure):
+class hs_body_state(_Struct):
     """Motion and energy of a body. Later versions may append to it."""
 
     _fields_ = [
@@ -589,7 +600,7 @@ class hs_body_state(Structure):
     ]
 
 
-class hs_cell_state(Structure):
+class hs_cell_state(_Struct):
     """Mean strain and stress of a cell."""
 
     _fields_ = [
@@ -599,7 +610,7 @@ class hs_cell_state(Structure):
     ]
 
 
-class hs_action_def(Structure):
+class hs_action_def(_Struct):
     """Settings of an action. Fill it with hs_action_def_init()."""
 
     _fields_ = [
@@ -616,7 +627,7 @@ class hs_action_def(Structure):
     ]
 
 
-class hs_elasticity_def(Structure):
+class hs_elasticity_def(_Struct):
     """Elasticity of a material. Fill it with hs_elasticity_def_init()."""
 
     _fields_ = [
@@ -630,7 +641,7 @@ class hs_elasticity_def(Structure):
     ]
 
 
-class hs_deformation(Structure):
+class hs_deformation(_Struct):
     """Deformation and stress of a block."""
 
     _fields_ = [
@@ -647,7 +658,7 @@ class hs_deformation(Structure):
     ]
 
 
-class hs_bolt_def(Structure):
+class hs_bolt_def(_Struct):
     """Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness."""
 
     _fields_ = [
@@ -667,7 +678,7 @@ class hs_bolt_def(Structure):
     ]
 
 
-class hs_bolt(Structure):
+class hs_bolt(_Struct):
     """Current state of a bolt."""
 
     _fields_ = [
@@ -686,7 +697,7 @@ class hs_bolt(Structure):
     ]
 
 
-class hs_bond_def(Structure):
+class hs_bond_def(_Struct):
     """Properties of a bond. Fill it with hs_bond_def_init()."""
 
     _fields_ = [
@@ -709,7 +720,7 @@ class hs_bond_def(Structure):
     ]
 
 
-class hs_bond(Structure):
+class hs_bond(_Struct):
     """Current state of a bond."""
 
     _fields_ = [
@@ -726,7 +737,7 @@ class hs_bond(Structure):
     ]
 
 
-class hs_bond_event(Structure):
+class hs_bond_event(_Struct):
     """Failure of a point of a bond."""
 
     _fields_ = [
@@ -744,7 +755,7 @@ class hs_bond_event(Structure):
     ]
 
 
-class hs_bond_report(Structure):
+class hs_bond_report(_Struct):
     """Summary of all bonds of a world. Later versions may append to it."""
 
     _fields_ = [
@@ -757,7 +768,7 @@ class hs_bond_report(Structure):
     ]
 
 
-class hs_motion_def(Structure):
+class hs_motion_def(_Struct):
     """Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it
     with hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame) is
     at position + t velocity + R(t angular_velocity) Q (gradient + t gradient_rate) X, with position and
@@ -776,7 +787,7 @@ class hs_motion_def(Structure):
     ]
 
 
-class hs_impact(Structure):
+class hs_impact(_Struct):
     """First touch of two moving shapes."""
 
     _fields_ = [
@@ -793,7 +804,7 @@ class hs_impact(Structure):
     ]
 
 
-class hs_pair_cache(Structure):
+class hs_pair_cache(_Struct):
     """Cached state of a pair between calls: the last violated potential contact pair if separated, the
     initial contact pair (Wang et al. 2021, section 2.5) if in contact. All zero is an empty cache. It may be
     copied, also to another process.
@@ -819,7 +830,7 @@ class hs_pair_cache(Structure):
     ]
 
 
-class hs_pair_options(Structure):
+class hs_pair_options(_Struct):
     """Options of detection. Fill it with hs_pair_options_init()."""
 
     _fields_ = [
@@ -841,7 +852,7 @@ class hs_pair_options(Structure):
     ]
 
 
-class hs_world_plan(Structure):
+class hs_world_plan(_Struct):
     """Plan of a world. Later versions may append to it."""
 
     _fields_ = [
@@ -886,7 +897,7 @@ class hs_world_plan(Structure):
     ]
 
 
-class hs_ray_hit(Structure):
+class hs_ray_hit(_Struct):
     """First point of a ray in a shape or in a world."""
 
     _fields_ = [
@@ -900,7 +911,7 @@ class hs_ray_hit(Structure):
     ]
 
 
-class hs_closest_points(Structure):
+class hs_closest_points(_Struct):
     """Closest points of two shapes."""
 
     _fields_ = [
@@ -911,7 +922,7 @@ class hs_closest_points(Structure):
     ]
 
 
-class hs_relaxation_def(Structure):
+class hs_relaxation_def(_Struct):
     """Settings of a dynamic relaxation. Fill it with hs_relaxation_def_init()."""
 
     _fields_ = [
@@ -927,7 +938,7 @@ class hs_relaxation_def(Structure):
     ]
 
 
-class hs_balance(Structure):
+class hs_balance(_Struct):
     """Balance of forces of a world. Later versions may append to it."""
 
     _fields_ = [
@@ -940,7 +951,7 @@ class hs_balance(Structure):
     ]
 
 
-class hs_packed(Structure):
+class hs_packed(_Struct):
     """A block of a share to be assembled."""
 
     _fields_ = [
@@ -953,7 +964,7 @@ class hs_packed(Structure):
     ]
 
 
-class hs_share_info(Structure):
+class hs_share_info(_Struct):
     """A share, and how far its copies must reach."""
 
     _fields_ = [
@@ -974,7 +985,7 @@ class hs_share_info(Structure):
     ]
 
 
-class hs_share_plan(Structure):
+class hs_share_plan(_Struct):
     """The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
     first two, and the minimum of `refusal`."""
 
@@ -992,7 +1003,7 @@ class hs_share_plan(Structure):
     ]
 
 
-class hs_strength_def(Structure):
+class hs_strength_def(_Struct):
     """Settings of the search for the factor of safety. Fill it with hs_strength_def_init()."""
 
     _fields_ = [
@@ -1010,7 +1021,7 @@ class hs_strength_def(Structure):
     ]
 
 
-class hs_strength_report(Structure):
+class hs_strength_report(_Struct):
     """Result of the search. Later versions may append to it."""
 
     _fields_ = [
@@ -1024,7 +1035,7 @@ class hs_strength_report(Structure):
     ]
 
 
-class hs_water_def(Structure):
+class hs_water_def(_Struct):
     """Properties of water. Fill it with hs_water_def_init()."""
 
     _fields_ = [

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import block_id, index, tensor, vector
+from ._arrays import block_id, index, struct_of, tensor, vector
 from ._choice import choice
 from ._library import library
 from ._record import Records, empty_record, empty_records
@@ -68,7 +68,7 @@ class AffineBlocks(BlockArrays):
 
     def set_elasticity(self, material: int, elasticity: Elasticity) -> None:
         """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
-        self._call(library.hs_world_set_elasticity, index(material, "material"), elasticity._as_struct())
+        self._call(library.hs_world_set_elasticity, index(material, "material"), struct_of(elasticity, Elasticity, "elasticity"))
         self._load_length = 0  # virials are loads, too
         self._given.see(f"material[{material}]", elasticity)
         self._given.elasticities[f"material[{material}]"] = elasticity

@@ -9,7 +9,7 @@ from typing import Any, Optional
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import block_id, vector
+from ._arrays import block_id, struct_of, vector
 from ._library import library
 from ._record import Records, empty_records
 from .bond import BondedBlocks
@@ -62,7 +62,7 @@ class BoltedBlocks(BondedBlocks):
     ) -> int:
         """Adds a bolt between the current positions of two places, each carried by a block, or by the ground where the
         block is None. Returns its number, which no later bolt gets. The removal of a block removes its bolts."""
-        struct = bolt._as_struct()
+        struct = struct_of(bolt, Bolt, "bolt")
         struct.block_a = 0 if block_a is None else block_id(block_a, "block_a")
         struct.block_b = 0 if block_b is None else block_id(block_b, "block_b")
         struct.place_a[:] = vector(place_a, "place_a")[:]

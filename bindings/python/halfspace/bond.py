@@ -6,7 +6,7 @@ import dataclasses
 from typing import cast
 
 from . import _raw
-from ._arrays import block_id, index
+from ._arrays import block_id, index, struct_of
 from ._library import library
 from ._record import Records, empty_record, empty_records
 from .context import held
@@ -67,7 +67,7 @@ class BondedBlocks(Bodies):
             library.hs_world_bond_blocks,
             block_id(block_a, "block_a"),
             block_id(block_b, "block_b"),
-            bond._as_struct(),
+            struct_of(bond, Bond, "bond"),
         )
         self._given.see(f"bond_blocks({block_a}, {block_b})", bond)
 
@@ -79,7 +79,7 @@ class BondedBlocks(Bodies):
             library.hs_world_bond_materials,
             index(material_a, "material_a"),
             index(material_b, "material_b"),
-            bond._as_struct(),
+            struct_of(bond, Bond, "bond"),
             ctypes.byref(count),
         )
         name = f"bond_materials({material_a}, {material_b})"

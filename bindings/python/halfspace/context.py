@@ -29,6 +29,12 @@ def _destroy_context(pointer: Any, lock: Any, abandoned: _Abandoned) -> None:
         lock.release()
 
 
+def _wrong_type(error: ctypes.ArgumentError, function: Any, arguments: Tuple[Any, ...]) -> TypeError:
+    """The error of ctypes, "argument 2: ...", with the value."""
+    number = int(str(error).split()[1].rstrip(":"))
+    return TypeError(f"{function.__name__}: {arguments[number - 1]!r} is of a wrong type")
+
+
 class _Keeper:
     """The C context with its lock. Everything made from it holds a reference to it, so it is destroyed last.
 
@@ -56,7 +62,10 @@ class _Keeper:
             if not self._finalizer.alive:  # the interpreter ends
                 raise ClosedError("the context is closed")
             try:
-                status = function(*arguments)
+                try:
+                    status = function(*arguments)
+                except ctypes.ArgumentError as error:
+                    raise _wrong_type(error, function, arguments) from None
                 if status < 0:
                     raise error_of(status, library.hs_context_last_error(self.pointer).decode())
             finally:
@@ -201,6 +210,9 @@ class Handle:
 def held(*handles: Handle) -> ContextManager[Any]:
     """For a `with` block in which no other thread uses or closes these handles: from reading a pointer to its last
     use, or for several dependent calls."""
+    for handle in handles:
+        if not isinstance(handle, Handle):
+            raise TypeError(f"{handle!r} is no object of the library, such as a Shape")
     keepers = {handle._keeper for handle in handles}
     if len(keepers) == 1:
         return keepers.pop().lock

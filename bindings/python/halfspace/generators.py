@@ -7,7 +7,7 @@ from typing import Any, List, Mapping, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import require_above_0
+from ._arrays import floats, require_above_0
 from .context import Context
 from .scene import shapes_of
 from .shape import Shape
@@ -54,7 +54,7 @@ def jointed_rock(
     >>> len(slabs), slabs[0].volume
     (4, 2.0)
     """
-    points = np.asarray(region, np.float64)
+    points = floats(region, "region")
     dimension = points.shape[-1] if points.ndim == 2 else 2
     keys = {"region": points, ("smallest_area" if dimension == 2 else "smallest_volume"): smallest}
     return _rock(dimension, "jointed_rock", context, {**keys, "joint_set": [dict(each) for each in joint_sets]})
@@ -78,7 +78,7 @@ def voronoi(
     context : Context, optional
         The owner; the default context if there is none given.
     """
-    keys = {"region": np.asarray(region, np.float64), "count": count, "relaxation": relaxation, "seed": seed}
+    keys = {"region": floats(region, "region"), "count": count, "relaxation": relaxation, "seed": seed}
     return _rock(3, "voronoi", context, keys)
 
 
@@ -106,7 +106,7 @@ def triangulated(
     context : Context, optional
         The owner; the default context if there is none given.
     """
-    corners = {"lower_left": np.asarray(lower_left, np.float64), "upper_right": np.asarray(upper_right, np.float64)}
+    corners = {"lower_left": floats(lower_left, "lower_left"), "upper_right": floats(upper_right, "upper_right")}
     return _rock(2, "triangulated", context, {**corners, "count": count, "jitter": jitter, "seed": seed})
 
 
@@ -142,6 +142,8 @@ def stack(
     [[0.0, 0.5], [0.0, 1.5]]
     """
     require_above_0(size=size)
+    if count < 0:
+        raise ValueError(f"count is {count}; it must be at least 0")
     foot = np.zeros(len(size))
     foot[: np.size(at)] = at
     low = foot - 0.5 * np.asarray(size)

@@ -8,7 +8,7 @@ from typing import Optional, cast
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import as_pose, tensor, turn_vector, vector
+from ._arrays import as_pose, struct_of, tensor, turn_vector, vector
 from ._library import library
 from ._record import empty_record
 from .context import held
@@ -95,7 +95,7 @@ def pair_time_of_impact(
     ('TOUCH', 0.003158333)
     """
     array, address = empty_record(IMPACT)
-    moved_a, moved_b = motion_a._as_struct(), motion_b._as_struct()
+    moved_a, moved_b = struct_of(motion_a, Motion, "motion_a"), struct_of(motion_b, Motion, "motion_b")
     with held(shape_a, shape_b):
         shape_a._call(
             library.hs_pair_time_of_impact,

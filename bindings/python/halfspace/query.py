@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import as_pose, vector, view_of
+from ._arrays import as_pose, floats, vector, view_of
 from ._library import library
 from ._record import empty_record
 from .context import Context, default_context, held
@@ -71,7 +71,7 @@ def boxes_find_pairs(
     >>> boxes_find_pairs([(0, 0), (0.5, 0.5), (3, 0)], [(1, 1), (1.5, 1.5), (4, 1)])
     array([[0, 1]], dtype=int32)
     """
-    corners = np.asarray(lower, np.float64)
+    corners = floats(lower, "lower")
     dimension = 3 if corners.ndim == 2 and corners.shape[1] == 3 else 2
     low, high = view_of(corners, dimension, "lower"), view_of(upper, dimension, "upper")
     keeper = (context or default_context())._alive
@@ -113,7 +113,7 @@ def points_order_along_curve(points: ArrayLike, *, context: Optional[Context] = 
     >>> points_order_along_curve([(0, 0), (1, 1), (1, 0), (0, 1)])
     array([0, 3, 1, 2], dtype=int32)
     """
-    array = np.asarray(points, np.float64)
+    array = floats(points, "points")
     dimension = 3 if array.ndim == 2 and array.shape[1] == 3 else 2
     view = view_of(array, dimension, "points")
     keeper = (context or default_context())._alive

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import vector
+from ._arrays import gravity_vector
 from ._choice import choice
 from ._library import library
 from ._record import empty_record
@@ -85,8 +85,9 @@ class Statics(WetBlocks):
 
     def set_gravity(self, gravity: ArrayLike) -> None:
         """Sets gravity, m/s2. The change of potential energy counts as external work."""
-        self._call(library.hs_world_set_gravity, vector(gravity, "gravity"))
-        self._given.see("gravity", np.array(vector(gravity, "gravity")[:]))
+        given = gravity_vector(gravity, self.dimension)
+        self._call(library.hs_world_set_gravity, given)
+        self._given.see("gravity", np.array(given[:]))
 
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
         """Sets local and mass damping, see `World`."""

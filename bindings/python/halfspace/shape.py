@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import as_pose, indices, mutable_view_of, require_above_0, vector, view_of
+from ._arrays import as_pose, floats, indices, mutable_view_of, require_above_0, vector, view_of
 from ._library import library
 from ._record import empty_record
 from .context import Context, Handle, default_context, held
@@ -125,7 +125,7 @@ class Shape(Handle):
         """Creates the convex hull of points: a polygon from shape (n, 2), a polyhedron from (n, 3). Inner and
         repeated points are allowed. In 3D facets within the `tolerance` of a common plane are one face, see
         `polyhedron`."""
-        array = np.asarray(points, np.float64)
+        array = floats(points, "points")
         if tolerance is not None:
             return cls._fitted(array, [], tolerance, context)
         if array.ndim == 2 and array.shape[1] == 3:

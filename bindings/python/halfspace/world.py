@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import as_pose, block_id, index, mutable_view_of, pose, turn_vector, vector
+from ._arrays import as_pose, block_id, gravity_vector, index, mutable_view_of, pose, struct_of, turn_vector, vector
 from ._choice import choice
 from ._library import library
 from ._record import Records, empty_record, empty_records
@@ -114,7 +114,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if of_space else 2)
         definition.dimension = dimension  # values other than 2 or 3 are refused below, with an error text
         if gravity is not None:
-            definition.gravity = vector(gravity, "gravity")
+            definition.gravity = gravity_vector(gravity, dimension)
         settings = dict(
             time_step=time_step,
             safety=safety,
@@ -223,7 +223,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def set_default_law(self, law: Law) -> None:
         """Sets the law of all pairs of materials without a law of their own."""
-        self._call(library.hs_world_set_default_law, law._as_struct())
+        self._call(library.hs_world_set_default_law, struct_of(law, Law, "law"))
         self._given.see("default_law", law)
 
     def set_law(self, material_a: int, material_b: int, law: Law) -> None:
@@ -232,7 +232,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
             library.hs_world_set_law,
             index(material_a, "material_a"),
             index(material_b, "material_b"),
-            law._as_struct(),
+            struct_of(law, Law, "law"),
         )
         first, second = sorted((int(material_a), int(material_b)))
         self._given.see(f"law[{first}, {second}]", law)

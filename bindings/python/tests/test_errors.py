@@ -225,3 +225,32 @@ def test_the_end_of_the_interpreter_is_quiet():
     program = "import halfspace as hs; s = hs.Shape.box(1, 1, 1); w = hs.World(3); w.add_material(1); w.add_block(s)"
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert (run.returncode, run.stderr) == (0, "")
+
+
+WORLD_2D = hs.World(law=hs.Law(normal_stiffness=1e7))
+
+
+@pytest.mark.parametrize(
+    "call, kind, text",
+    [
+        (lambda: hs.World(law=hs.Law(normal_stiffness="stiff")), TypeError, "normal_stiffness is 'stiff': must be real"),
+        (lambda: hs.World(time_step="1"), TypeError, "time_step is '1': must be real number"),
+        (lambda: hs.World(law={"friction_angle": 0.5}), TypeError, "law is {'friction_angle': 0.5}; it must be a Law"),
+        (lambda: hs.World(gravity=(0, 0, -9.81)), ValueError, r"gravity is \(0.0, 0.0, -9.81\); its z must be 0 in 2D"),
+        (lambda: WORLD_2D.set_gravity((0, -9, 1)), ValueError, r"gravity is \(0.0, -9.0, 1.0\); its z must be 0 in 2D"),
+        (lambda: WORLD_2D.add_material("heavy"), TypeError, "hs_world_add_material: 'heavy' is of a wrong type"),
+        (lambda: WORLD_2D.set_damping(None), TypeError, "hs_world_set_damping: None is of a wrong type"),
+        (lambda: WORLD_2D.relax("fine"), TypeError, "ratio is 'fine': must be real number"),
+        (lambda: WORLD_2D.add_block([[0, 0], [1, 0], [0, 1]], (0, 0)), TypeError, "is no object of the library, such as"),
+        (lambda: WORLD_2D.add_blocks([None]), TypeError, "None is no object of the library, such as a Shape"),
+        (lambda: WORLD_2D.cast_ray("here", (0, -1)), ValueError, "origin: could not convert string to float: 'here'"),
+        (lambda: hs.Shape.polygon(([0, 0], [1], [0, 1])), ValueError, "vertices: setting an array element with a seq"),
+        (lambda: hs.Shape.polygon((i, i) for i in range(3)), TypeError, "vertices: float"),
+        (lambda: hs.Shape.hull("abc"), ValueError, "points: could not convert string to float: 'abc'"),
+        (lambda: hs.Shape.rectangle(None, 1), ValueError, "width is None; it must be above 0 and finite"),
+        (lambda: hs.stack((1, 1), -3), ValueError, "count is -3; it must be at least 0"),
+    ],
+)
+def test_arguments_of_a_wrong_type_are_named(call, kind, text):
+    with pytest.raises(kind, match=text):
+        call()
