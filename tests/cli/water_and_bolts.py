@@ -26,6 +26,30 @@ level = 0.5
 do = "settle"
 ratio = 1e-8
 """
+POOL = """dimension = 3
+[world]
+duration = 0.001
+[[material]]
+name = "stone"
+density = 2500
+[default_law]
+stiffness = "per contact"
+normal_stiffness = 1e8
+friction_angle = 30
+[water]
+file = "heights.csv"
+spacing = 1
+shift = [0, 0, 0]
+[[block]]
+name = "bed"
+kind = "fixed"
+material = "stone"
+vertices = [[-3, -2, -1], [3, -2, -1], [-3, 2, -1], [3, 2, -1], [-3, -2, 0], [3, -2, 0], [-3, 2, 0], [3, 2, 0]]
+[[block]]
+name = "block"
+material = "stone"
+vertices = [[-1, -1, 0], [1, -1, 0], [-1, 1, 0], [1, 1, 0], [-1, -1, 2], [1, -1, 2], [-1, 1, 2], [1, 1, 2]]
+"""
 LAMP = """dimension = 2
 [world]
 [[material]]
@@ -71,6 +95,12 @@ pretension = 1e4
 
 
 class WaterAndBolts(SceneTest):
+    def vtk_file(self, name):
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.output / name))
+        reader.Update()
+        return reader.GetOutput()
+
     def test_a_raft_rises_with_the_level(self):
         text = POND + '[[stage]]\ndo = "settle"\nratio = 1e-8\nportions = 4\n[stage.water]\nlevel = 2.5\n'
         self.run_scene(text)
@@ -91,11 +121,9 @@ class WaterAndBolts(SceneTest):
         self.assertEqual(last["bolt"], "cable")
         self.assertAlmostEqual(float(last["tension"]), 8000 * 9.81, delta=1)
         self.assertRegex((self.output / "summary.txt").read_text(), r"bolts +1 installed, 0 yielded, 0 ruptured")
-        reader = vtk.vtkXMLPolyDataReader()
-        reader.SetFileName(str(self.output / "frames" / "bolts_0000.vtp"))
-        reader.Update()
-        self.assertEqual(reader.GetOutput().GetNumberOfLines(), 1)
-        self.assertAlmostEqual(reader.GetOutput().GetCellData().GetArray("tension").GetValue(0), 78480, delta=1e-6)
+        bolts = self.vtk_file("frames/bolts_0000.vtp")
+        self.assertEqual(bolts.GetNumberOfLines(), 1)
+        self.assertAlmostEqual(bolts.GetCellData().GetArray("tension").GetValue(0), 78480, delta=1e-6)
 
     def test_a_resumed_run_installs_the_same_bolts(self):
         self.run_scene(LAMP + STAGES)
@@ -111,6 +139,24 @@ class WaterAndBolts(SceneTest):
         for of_resumed, of_whole in zip(resumed[-2:], expected[-2:]):
             self.assertEqual(of_resumed["bolt"], of_whole["bolt"])
             self.assertAlmostEqual(float(of_resumed["tension"]) / float(of_whole["tension"]), 1, delta=1e-3)
+
+    def test_files_of_a_height_map(self):
+        """It goes on level to the ends of the blocks, and a cell is divided from its smallest to its largest corner."""
+        (self.directory / "heights.csv").write_text("1,2,4\n1,1,1\n")
+        self.run_scene(POOL)
+        surface = self.vtk_file("frames/water_0000.vtp")
+        points = [surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())]
+        self.assertEqual([min(p[axis] for p in points) for axis in range(3)], [-3, -2, 1])
+        self.assertEqual([max(p[axis] for p in points) for axis in range(3)], [3, 2, 4])
+        self.assertEqual(surface.GetNumberOfPolys(), 2 * 4 * 3)
+        locator = vtk.vtkCellLocator()
+        locator.SetDataSet(surface)
+        locator.BuildLocator()
+        for place, height in (((1.75, 0.25), 1.75), ((1.25, 0.75), 2.25), ((-2.5, -1), 1), ((2.5, 0.5), 2.5)):
+            hit = [0.0] * 3
+            locator.IntersectWithLine((*place, -9), (*place, 9), 1e-9, vtk.reference(0.0), hit, [0.0] * 3,
+                                      vtk.reference(0))
+            self.assertAlmostEqual(hit[2], height, delta=1e-12)
 
     def test_faults_name_the_key(self):
         for old, new, fault in [

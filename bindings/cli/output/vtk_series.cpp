@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "common/vector.h"
 #include "output/vtk_file.h"
@@ -48,10 +50,8 @@ void add_cell_data(const Layout& layout, const Frame& frame, const Frame& start,
   if (layout.has_deformable()) cells.arrays.insert(cells.arrays.end(), {stress, strain});
 }
 
-/// The water table over the extent of the blocks. It continues level beyond the ends of a polyline.
-std::vector<Point> water_corners(int dimension, const Frame& frame) {
-  std::vector<Point> table = frame.water;
-  if (table.empty()) return table;
+/// The lowest and the highest coordinates of all blocks.
+std::pair<Point, Point> extent_of(const Frame& frame) {
   Point low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
   for (const BlockFrame& block : frame.blocks) {
     for (const Point& p : block.vertices) {
@@ -61,17 +61,60 @@ std::vector<Point> water_corners(int dimension, const Frame& frame) {
       }
     }
   }
+  return {low, high};
+}
+
+/// Points and the faces between them.
+struct Surface {
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> faces;
+};
+
+/// A height map, whose border continues level to the extent of the blocks: two triangles per cell, as the
+/// library divides them.
+Surface map_over(const std::vector<Point>& map, const Point& low, const Point& high) {
+  const auto is_of_row = [&](const Point& p) { return p[1] == map[0][1]; };
+  const auto columns =
+      static_cast<std::size_t>(std::find_if_not(map.begin(), map.end(), is_of_row) - map.begin());
+  const std::size_t rows = map.size() / columns, width = columns + 2;
+  Surface surface;
+  for (std::size_t j = 0; j < rows + 2; ++j) {
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::size_t row = std::clamp<std::size_t>(j, 1, rows) - 1;
+      Point p = map[row * columns + std::clamp<std::size_t>(i, 1, columns) - 1];
+      if (i == 0) p[0] = std::min(p[0], low[0]);
+      if (i > columns) p[0] = std::max(p[0], high[0]);
+      if (j == 0) p[1] = std::min(p[1], low[1]);
+      if (j > rows) p[1] = std::max(p[1], high[1]);
+      surface.points.push_back(p);
+      if (i == 0 || j == 0) continue;
+      const std::size_t here = j * width + i, below = here - width;
+      surface.faces.push_back({below - 1, below, here});
+      surface.faces.push_back({below - 1, here, here - 1});
+    }
+  }
+  return surface;
+}
+
+/// The water table over the extent of the blocks. It continues level beyond the ends of a polyline.
+Surface water_surface(int dimension, const Frame& frame) {
+  Surface surface{.points = frame.water, .faces = {}};
+  std::vector<Point>& table = surface.points;
+  if (table.empty()) return surface;
+  const auto [low, high] = extent_of(frame);
+  if (dimension == 3 && table.size() > 3) return map_over(frame.water, low, high);
   if (dimension == 2) {
     table.insert(table.begin(), {std::min(low[0], table.front()[0]), table.front()[1], 0});
     table.push_back({std::max(high[0], table.back()[0]), table.back()[1], 0});
-    return table;
+  } else {
+    const Point normal =
+        table.size() < 3 ? Point{0, 0, 1} : cross(minus(table[1], table[0]), minus(table[2], table[0]));
+    table = {{low[0], low[1], 0}, {high[0], low[1], 0}, {high[0], high[1], 0}, {low[0], high[1], 0}};
+    for (Point& corner : table) corner[2] = -dot(normal, minus(corner, frame.water[0])) / normal[2];
   }
-  const Point normal =
-      table.size() < 3 ? Point{0, 0, 1} : cross(minus(table[1], table[0]), minus(table[2], table[0]));
-  std::vector<Point> corners = {
-      {low[0], low[1], 0}, {high[0], low[1], 0}, {high[0], high[1], 0}, {low[0], high[1], 0}};
-  for (Point& corner : corners) corner[2] = -dot(normal, minus(corner, table[0])) / normal[2];
-  return corners;
+  surface.faces.emplace_back(table.size());
+  std::iota(surface.faces[0].begin(), surface.faces[0].end(), std::size_t{0});
+  return surface;
 }
 
 }  // namespace
@@ -139,12 +182,12 @@ std::string vtk_bolts(const Frame& frame) {
 
 std::string vtk_water(int dimension, const Frame& frame) {
   VtkCells cells{.kind = dimension == 2 ? "Lines" : "Polys", .time = frame.time};
-  const std::vector<Point> corners = water_corners(dimension, frame);
-  for (const Point& p : corners) {
-    cells.connectivity.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
-    cells.points.insert(cells.points.end(), p.begin(), p.end());
+  const Surface surface = water_surface(dimension, frame);
+  for (const Point& p : surface.points) cells.points.insert(cells.points.end(), p.begin(), p.end());
+  for (const std::vector<std::size_t>& face : surface.faces) {
+    for (const std::size_t point : face) cells.connectivity.push_back(static_cast<std::int64_t>(point));
+    cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
   }
-  if (!corners.empty()) cells.offsets.push_back(static_cast<std::int64_t>(corners.size()));
   return vtk_text(cells);
 }
 

@@ -161,14 +161,15 @@ class Layers {
 
   showWater(frame) {
     const now = this.recording.water.filter((water) => water.frame <= frame.number).pop();
-    const corners = this.isShown.water && now ? now.corners : [];
-    this.waterSurface.visible = false;
-    const colour = [...layerColours.water, 1];
-    for (let i = 0; i + 1 < corners.length; ++i) this.bars.water.add(corners[i], corners[i + 1], 1.5, colour);
-    if (this.recording.dimension === 2 || corners.length === 0) return;
-    if (corners.length > 2) this.bars.water.add(corners[corners.length - 1], corners[0], 1.5, colour);
-    this.waterSurface.visible = true;
-    setWaterCorners(this.waterSurface, corners);
+    const {points, faces} = this.isShown.water && now ? now : {points: [], faces: []};
+    this.waterSurface.visible = this.recording.dimension === 3 && faces.length > 0;
+    const colour = [...layerColours.water, 1], at = (point) => points[point];
+    // The outline of a plane; a height map has too many edges.
+    const outline = faces.length === 1 ? faces[0].map(at) : [];
+    for (let i = 0; i + 1 < outline.length; ++i) this.bars.water.add(outline[i], outline[i + 1], 1.5, colour);
+    if (!this.waterSurface.visible) return;
+    if (outline.length > 2) this.bars.water.add(outline[outline.length - 1], outline[0], 1.5, colour);
+    setWaterFaces(this.waterSurface, points, faces);
   }
 
   /** The forces of all contacts of a block in a frame, largest first. */
@@ -222,7 +223,7 @@ function waterSurface() {
   return mesh;
 }
 
-function setWaterCorners(mesh, corners) {
-  mesh.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(corners.flat()), 3));
-  mesh.geometry.setIndex(corners.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
+function setWaterFaces(mesh, points, faces) {
+  mesh.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points.flat()), 3));
+  mesh.geometry.setIndex(faces.flatMap((face) => face.slice(2).flatMap((_, i) => [face[0], face[i + 1], face[i + 2]])));
 }

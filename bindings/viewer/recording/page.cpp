@@ -51,11 +51,13 @@ std::string Recording::header() const {
   text += ",\"materials\":" + array(materials_, quoted) + ",\"tables\":[";
   for (const Table* table : {&of_blocks_, &of_nodes_, &of_contacts_, &of_bolts_})
     text += (table == &of_blocks_ ? "" : ",") + table->description();
-  text += "],\"water\":" + array(water_, [](const Water& water) {
-            return "{\"frame\":" + std::to_string(water.frame) +
-                   ",\"corners\":" + array(water.corners, coordinates) + '}';
-          });
   const auto number = [](std::size_t value) { return std::to_string(value); };
+  text += "],\"water\":" + array(water_, [&](const Water& water) {
+            return "{\"frame\":" + std::to_string(water.frame) +
+                   ",\"points\":" + array(water.points, coordinates) +
+                   ",\"faces\":" + array(water.faces, [&](const auto& face) { return array(face, number); }) +
+                   '}';
+          });
   text += ",\"cracks\":" + array(cracks_, [&](const Crack& crack) {
             return "{\"time\":" + json(crack.time) + ",\"blocks\":" + array(crack.blocks, number) +
                    ",\"position\":" + coordinates(crack.position) +

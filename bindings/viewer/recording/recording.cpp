@@ -244,10 +244,10 @@ void Recording::set_bolt(const BoltForce& bolt) {
   set(bolt.is_ruptured ? 1 : 0);
 }
 
-void Recording::set_water(std::vector<Point> corners) {
-  for (Point& corner : corners) corner = from_origin(corner);
-  if (water_.empty() ? corners.empty() : water_.back().corners == corners) return;
-  water_.push_back({times_.size() - 1, std::move(corners)});
+void Recording::set_water(std::vector<Point> points, std::vector<std::vector<std::size_t>> faces) {
+  for (Point& point : points) point = from_origin(point);
+  if (water_.empty() ? points.empty() : water_.back().points == points) return;
+  water_.push_back({times_.size() - 1, std::move(points), std::move(faces)});
 }
 
 void Recording::add_crack(Crack crack) {

@@ -84,7 +84,8 @@ class Recording {
   /// Keeps the max_contacts contacts with the largest forces.
   void set_contacts(std::vector<ContactForce> contacts);
   void set_bolt(const BoltForce& bolt);
-  void set_water(std::vector<Point> corners);
+  /// Sets the water table. Its faces are loops of points; in 2D there is one, the polyline.
+  void set_water(std::vector<Point> points, std::vector<std::vector<std::size_t>> faces);
 
   void add_crack(Crack crack);
   void set_material_names(std::vector<std::string> names) { materials_ = std::move(names); }
@@ -110,7 +111,8 @@ class Recording {
   };
   struct Water {
     std::size_t frame = 0;  ///< the first one that has it
-    std::vector<Point> corners;
+    std::vector<Point> points;
+    std::vector<std::vector<std::size_t>> faces;
   };
 
   std::size_t moving_count() const { return blocks_.size() - frame_counts_.size(); }

@@ -91,7 +91,7 @@ class Reader {
         remove_missing(VtkFrame((folder_ / next_terrain->second).string()), recording);
       if (f < contacts.size()) add_contacts(VtkFrame((folder_ / contacts[f].second).string()), recording);
       if (f < bolts.size()) add_bolts(VtkFrame((folder_ / bolts[f].second).string()), recording);
-      if (f < waters.size()) recording.set_water(VtkFrame((folder_ / waters[f].second).string()).points());
+      if (f < waters.size()) set_water(VtkFrame((folder_ / waters[f].second).string()), recording);
     }
     read_cracks(recording);
     if (fs::exists(folder_ / "history.csv"))
@@ -224,6 +224,12 @@ class Reader {
                           .place_b = frame.points()[frame.cell(c).at(1)],
                           .tension = frame.value("tension", c),
                           .is_ruptured = frame.value("is_ruptured", c) != 0});
+  }
+
+  static void set_water(const VtkFrame& frame, Recording& recording) {
+    std::vector<std::vector<std::size_t>> faces;
+    for (std::size_t c = 0; c < frame.cell_count(); ++c) faces.push_back(frame.cell(c));
+    recording.set_water(frame.points(), std::move(faces));
   }
 
   void read_cracks(Recording& recording) const {
