@@ -32,6 +32,7 @@ def _declare(found: ctypes.CDLL) -> None:
         "set_values": (status, recording, text, text, count, array, array),
         "set_contacts": (status, recording, count, array, array, array, array, array),
         "set_bolts": (status, recording, count, array, array, array, array, array),
+        "add_cracks": (status, recording, count, array, array, array, array, array, array, array),
         "set_history": (status, recording, text),
         "write": (status, recording, text, text),
     }

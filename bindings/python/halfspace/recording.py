@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
 from ._viewer import viewer_library, viewer_page
-from .constants import BlockKind
+from .constants import BlockKind, BondFailure
 from .context import held
 from .errors import ArgumentError
 from .shape import Shape
@@ -83,6 +83,7 @@ class Recording:
         self._numbers: Dict[int, int] = {}  # of blocks by their ids
         self._deforms: Dict[int, bool] = {}
         self._rows: List[List[float]] = []
+        self._crack_count = 0
         encoded = [name.encode() for name in materials]
         self._call("set_materials", len(encoded), (ctypes.c_char_p * len(encoded))(*encoded))
 
@@ -108,6 +109,7 @@ class Recording:
             self._call("add_frame", float(report.time))
             self._add_motion(world, blocks)
             self._add_forces(world)
+            self._add_cracks(world)
         energy = report.energy
         self._rows.append([float(report[name]) for name in _REPORTED] + [float(energy[name]) for name in _ENERGIES])
 
@@ -189,6 +191,31 @@ class Recording:
             arrays = [np.ascontiguousarray(bolts[name]) for name in ("number", "place_a", "place_b", "tension")]
             ruptured = np.ascontiguousarray(bolts["is_ruptured"], np.int32)
             self._call("set_bolts", len(bolts), *(array.ctypes.data for array in (*arrays, ruptured)))
+
+    def _add_cracks(self, world: World) -> None:
+        """The failures of bonds since the last frame, but for those of blocks that are not there any more."""
+        events = world.bond_events(self._crack_count)
+        if len(events) == 0:
+            return
+        self._crack_count += len(events)
+        bonds = world.bonds()[events["bond"]]
+        blocks_a, blocks_b = (
+            np.array([self._numbers.get(int(block), -1) for block in bonds[end]], np.int64)
+            for end in ("block_a", "block_b")
+        )
+        known = (blocks_a >= 0) & (blocks_b >= 0)
+        events = events[known]
+        arrays = [
+            np.ascontiguousarray(values)
+            for values in (
+                events["time"],
+                blocks_a[known],
+                blocks_b[known],
+                *(events[name] for name in ("position", "normal", "area")),
+                np.array(events["failure"] == BondFailure.SHEAR, np.int32),
+            )
+        ]
+        self._call("add_cracks", len(events), *(array.ctypes.data for array in arrays))
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the recording as a page of HTML. It takes no more frames then."""

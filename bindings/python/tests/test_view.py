@@ -53,6 +53,39 @@ def test_a_free_fall(dimension, tmp_path):
     assert rows[0].startswith("time,steps,contacts,largest_overlap,largest_speed,kinetic") and len(rows) == 6
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_cracks(dimension, tmp_path):
+    """Of three bonded blocks the middle one is fixed, and one of the others is pulled off, the other one pushed along."""
+    law = hs.Law(normal_stiffness=1e8)
+    world = hs.World(dimension, law=law, gravity=[0] * dimension)
+    world.add_material(density=2000)
+    shape = hs.Shape.rectangle(1, 1) if dimension == 2 else hs.Shape.box(1, 1, 1)
+    across = [0] * (dimension - 1)
+    blocks = [world.add_block(shape, (x, *across), kind="fixed" if x == 0 else "rigid") for x in (-1, 0, 1)]
+    for pair in (blocks[:2], blocks[1:]):
+        world.bond_blocks(*pair, hs.Bond(normal_stiffness=1e9, shear_stiffness=1e9, tensile_strength=1e5, cohesion=1e5))
+    world.set_applied_force(blocks[0], (-1e6, *across))
+    recording = hs.Recording(world)
+    recording.add()
+    world.run(0.01, every=0.001, callback=recording.add)
+    world.set_applied_force(blocks[2], (-1e6, 2e6, 0)[:dimension])
+    world.run(0.01, every=0.001, callback=recording.add)
+    events = world.bond_events()
+    assert len(set(events["failure"])) == 2
+    cracks = header_of(hs.view(recording, tmp_path / "cracks.html").path)["cracks"]
+    assert len(cracks) == len(events)
+    for crack, event in zip(cracks, events):
+        assert crack["time"] == event["time"] and crack["area"] == event["area"]
+        assert crack["blocks"] == ([0, 1] if event["bond"] == 0 else [1, 2])
+        np.testing.assert_allclose(crack["normal"], event["normal"])
+        np.testing.assert_allclose(crack["position"], event["position"], atol=1e-12)
+        assert crack["is_shear"] == (event["failure"] == hs.BondFailure.SHEAR)
+    world.remove_block(blocks[0])
+    recording = hs.Recording(world)
+    recording.add()
+    assert {tuple(crack["blocks"]) for crack in header_of(hs.view(recording, tmp_path / "rest.html").path)["cracks"]} == {(0, 1)}
+
+
 def test_blocks_come_and_go(tmp_path):
     world, block = falling(2)
     recording = hs.Recording(world)

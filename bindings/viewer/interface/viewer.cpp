@@ -165,6 +165,21 @@ int32_t hs_recording_set_bolts(hs_recording* recording, int64_t count, const int
   });
 }
 
+int32_t hs_recording_add_cracks(hs_recording* recording, int64_t count, const double times[],
+                                const int64_t blocks_a[], const int64_t blocks_b[], const double positions[],
+                                const double normals[], const double areas[], const int32_t are_shear[]) {
+  return guarded([&] {
+    Recording& found = recording_of(recording);
+    for (int64_t i = 0; i < count; ++i)
+      found.add_crack({times[i],
+                       {block_of(found, blocks_a[i]), block_of(found, blocks_b[i])},
+                       point_at(positions, i),
+                       point_at(normals, i),
+                       areas[i],
+                       are_shear[i] != 0});
+  });
+}
+
 int32_t hs_recording_set_history(hs_recording* recording, const char* csv) {
   return guarded([&] { recording_of(recording).set_history(csv); });
 }
