@@ -76,5 +76,8 @@ def plot_solids(
     corners = np.concatenate(vertices)
     low, high = corners.min(axis=0), corners.max(axis=0)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), xlabel="x", ylabel="y", zlabel="z")
-    ax.set_box_aspect(np.maximum(high - low, 1e-300))
+    sizes = np.maximum(high - low, 1e-300)
+    ax.set_box_aspect(sizes)
+    for axis, size in zip("xyz", sizes):  # the labels of a short axis would overlap
+        ax.locator_params(axis=axis, nbins=max(1, round(6 * size / sizes.max())))
     return ax

@@ -41,7 +41,7 @@ class Searches:
         progress: bool = False,
         context: Optional[Context] = None,
     ) -> SafetyResult:
-        """Finds the factor of safety, as ``halfspace safety`` does.
+        """Finds the factor of safety, as ``halfspace safety`` does. If the last stage runs, each trial is this stage.
 
         Parameters
         ----------
@@ -53,7 +53,7 @@ class Searches:
             Final width of the bracket.
         limit : float
             Displacement of a block that counts as failure, m; 0: ten times the elastic slip of all joints, at most
-            a tenth of the block's size.
+            a tenth of the block's size; in a stage that runs the latter.
         replace, resume : bool
             Replace an earlier search in the directory, or continue it.
         progress, context :

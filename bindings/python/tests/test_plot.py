@@ -88,3 +88,11 @@ def test_matplotlib_is_optional():
         "assert w._repr_png_() is None"
     )
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_a_short_axis_has_few_labels():
+    world = hs.World(3)
+    world.add_material(density=2000)
+    world.add_block(hs.Shape.box(12, 4, 1))
+    ax = world.plot()
+    assert len(ax.get_yticks()) <= 5 and len(ax.get_zticks()) <= 4
