@@ -93,6 +93,9 @@ class Recording:
     def __len__(self) -> int:
         return len(self._rows)
 
+    def __reduce__(self) -> Tuple[Any, ...]:  # pickle and copy
+        raise TypeError("a Recording cannot be copied or pickled; write its page")
+
     def __del__(self) -> None:
         if getattr(self, "_handle", None):
             self._library.hs_recording_destroy(self._handle)

@@ -1,7 +1,9 @@
 """Recordings of worlds, and the pages that play them. The browser's part is in bindings/viewer/tests."""
 import base64
+import copy
 import json
 import pathlib
+import pickle
 import re
 import zlib
 
@@ -145,3 +147,21 @@ def test_a_recording_shows_its_length():
     recording = hs.Recording(falling(2)[0])
     recording.add()
     assert repr(recording) == "<halfspace.Recording, frames: 1>"
+
+
+def test_the_folder_of_a_page_is_made(tmp_path):
+    recording = hs.Recording(falling(2)[0])
+    recording.add()
+    assert hs.view(recording, tmp_path / "pages" / "größe.html").path.is_file()
+    with pytest.raises(hs.ArgumentError, match="cannot write .*: Is a directory"):
+        hs.view(recording, tmp_path)
+    (tmp_path / "file").touch()
+    with pytest.raises(hs.ArgumentError, match="cannot write .*: Not a directory"):
+        hs.view(recording, tmp_path / "file" / "page.html")
+
+
+@pytest.mark.parametrize("make", [copy.copy, copy.deepcopy, pickle.dumps])
+def test_a_recording_is_not_copied(make):
+    """A copy would destroy what both hold."""
+    with pytest.raises(TypeError, match="a Recording cannot be copied or pickled"):
+        make(hs.Recording(hs.World()))

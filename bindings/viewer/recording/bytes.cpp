@@ -1,7 +1,10 @@
 #include "recording/bytes.h"
 
+#include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace halfspace::viewer {
 
@@ -16,10 +19,16 @@ std::string bytes_of(const std::string& file) {
 }
 
 void write_bytes(const std::string& file, const std::string& bytes) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code ignored;  // the file tells of it
+  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+  errno = 0;
   std::ofstream stream(file, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
-  if (!stream) throw std::runtime_error("cannot write " + file);
+  if (!stream)
+    throw std::runtime_error("cannot write " + file +
+                             (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
 }
 
 }  // namespace halfspace::viewer
