@@ -83,6 +83,15 @@ class Actions(SceneTest):
         (self.directory / "table.csv").write_text("time; value\n# a comment\n0; 0\n1.5; 3\n")
         return self.run_scene(SCENE + ACTION, *arguments, **options)
 
+    def test_the_acceleration_of_a_prescribed_block(self):
+        """Its velocity is that of the action from step to step, whatever the steps between two rows of the history."""
+        text = SCENE + '[[action]]\non = "ground"\nkind = "acceleration"\ndirection = [1, 0]\nstage = "shake"\n'
+        for interval in 0.5, 0.01:
+            self.run_scene(text.replace("history_interval = 0.5", f"history_interval = {interval}") + "table = [[0, 3]]\n")
+            last = self.rows()[-1]
+            self.assertAlmostEqual(float(last["ground.vx"]), 3, delta=1e-9)
+            self.assertAlmostEqual(float(last["ground.x"]), 0.5 + 1.5, delta=1e-9)
+
     def test_blocks_follow_their_tables(self):
         self.run_with_table()
         rest, last = self.rows()[1], self.rows()[-1]

@@ -88,6 +88,8 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   prepare_bolts();
   if (scene.in_situ) preload_joints(scene);
   update_report();
+  is_moving_.resize(blocks_.size());
+  for (const auto& [index, block] : prescribed_blocks()) is_moving_[index] = moves(index);
   if (scene.stages.empty()) begin_actions(0);
 }
 
@@ -241,30 +243,36 @@ double Model::next_motion_change() const {
   return next;
 }
 
-void Model::set_due_motions() {
+std::vector<Model::PrescribedBlock> Model::prescribed_blocks() const {
+  std::vector<PrescribedBlock> found;
   const auto is_due = [&](std::size_t block) {
     return layout_.blocks[block].kind == HS_BLOCK_PRESCRIBED && !is_removed_[block];
   };
   for (std::size_t i = 0; i < layout_.terrain_begin(); ++i) {
-    const LayoutBlock& block = layout_.blocks[i];
-    if (is_due(i) && !block.compound) set_due_motion(blocks_[i], block.motion);
+    if (is_due(i) && !layout_.blocks[i].compound) found.push_back({i, blocks_[i]});
   }
   for (std::size_t i = 0; i < compounds_.size(); ++i) {
     const std::size_t first = layout_.compounds[i].first_block;
-    if (is_due(first)) set_due_motion(compounds_[i], layout_.blocks[first].motion);
+    if (is_due(first)) found.push_back({first, compounds_[i]});
   }
+  return found;
 }
 
-void Model::set_due_motion(hs_block block, const Motion& motion) {
-  const bool moves = reached(motion.start) && !reached(motion.stop);
-  const Point velocity = moves ? motion.velocity : Point{};
-  const Point spin = moves ? motion.angular_velocity : Point{};
-  hs_block_state now{};
-  require(context_, hs_world_get_block_state(world_.get(), block, &now));
-  if (std::equal(velocity.begin(), velocity.end(), now.velocity) &&
-      std::equal(spin.begin(), spin.end(), now.angular_velocity))
-    return;
-  require(context_, hs_world_set_velocity(world_.get(), block, velocity.data(), spin.data()));
+bool Model::moves(std::size_t block) const {
+  const Motion& motion = layout_.blocks[block].motion;
+  return (motion.start == 0 || reached(motion.start)) && !reached(motion.stop);
+}
+
+/// Between its start and its stop the velocity of a block is that of its actions, if it has any.
+void Model::set_due_motions() {
+  for (const auto& [index, block] : prescribed_blocks()) {
+    if (moves(index) == (is_moving_[index] != 0)) continue;
+    is_moving_[index] = moves(index);
+    const Motion& motion = layout_.blocks[index].motion;
+    const Point velocity = moves(index) ? motion.velocity : Point{};
+    const Point spin = moves(index) ? motion.angular_velocity : Point{};
+    require(context_, hs_world_set_velocity(world_.get(), block, velocity.data(), spin.data()));
+  }
 }
 
 void Model::update_report() {

@@ -146,7 +146,13 @@ class Model {
   void begin_actions(std::size_t stage);
   int32_t add_table(const TimeTable& table);
   void set_due_motions();
-  void set_due_motion(hs_block block, const Motion& motion);
+  struct PrescribedBlock {
+    std::size_t index = 0;  ///< in the layout; of a compound its first part
+    hs_block block = 0;
+  };
+  std::vector<PrescribedBlock> prescribed_blocks() const;
+  /// True between the start and the stop of the motion of a prescribed block.
+  bool moves(std::size_t block) const;
   double next_motion_change() const;
   void update_report();
   /// The time step without shortening; 0 while it is unknown.
@@ -186,6 +192,7 @@ class Model {
   double given_time_step_;                  ///< by the scene, or 0
   double safety_;
   std::vector<std::pair<std::size_t, std::size_t>> bonded_;  ///< the two blocks of each bond
+  std::vector<char> is_moving_;               ///< prescribed blocks that have started and not stopped
   std::vector<char> is_removed_;              ///< of each block: 0, 1 excavated, 2 by the current stage
   std::vector<std::vector<Point>> released_;  ///< forces of excavated cells on each body's nodes, or none
   bool frames_have_contacts_;
