@@ -151,6 +151,27 @@ class Limit(SceneTest):
         ramped = push.replace("gravity = [3, -10]", "gravity = [0, -12]\nramp = 0.5")
         self.assertAlmostEqual(sum(self.bracket(ramped, *arguments, "--tilt")) / 2, 30, delta=0.1)
 
+    def test_blocks_that_ride_on_the_ground_have_not_moved(self):
+        """The ground is accelerated by 0.3 g to the left, which is a push to the right; within 2 s it moves by 6 m."""
+        text = in_plane(5, 30).replace("duration = 1\n", "").replace('kind = "fixed"', 'kind = "prescribed"')
+        shaken = text + """
+[[stage]]
+do = "settle"
+[[stage]]
+name = "earthquake"
+do = "run"
+duration = 2
+[[action]]
+on = "plane"
+kind = "acceleration"
+table = [[0, -3]]
+direction = [1, 0]
+stage = "earthquake"
+"""
+        report = self.run_scene(shaken, "--limit", 0.01, command="safety").stdout
+        found = float(re.search(r"factor of safety +(\S+),", report)[1])
+        self.assertAlmostEqual(found, math.tan(math.radians(30)) / (0.3 - 2 * 0.01 / (4 * 10)), delta=0.01)
+
     def test_resuming_takes_the_known_trials(self):
         text = in_plane(5, 30)
         report = self.run_scene(text, "--tilt", command="limit").stdout

@@ -55,6 +55,24 @@ double size_of(const BlockFrame& block) {
   return size;
 }
 
+Point displacement(const BlockFrame& start, const BlockFrame& now) {
+  return minus(point_of(now.state.pose.position), point_of(start.state.pose.position));
+}
+
+/// The ground moves with the prescribed blocks where no block is fixed, as in an earthquake.
+Point displacement_of_ground(const Frame& start, const Frame& now) {
+  Point sum{};
+  double count = 0;
+  for (std::size_t i = 0; i < now.blocks.size(); ++i) {
+    if (is_removed(now.blocks[i])) continue;
+    if (now.blocks[i].state.kind == HS_BLOCK_FIXED) return {};
+    if (now.blocks[i].state.kind != HS_BLOCK_PRESCRIBED) continue;
+    sum = plus(sum, displacement(start.blocks[i], now.blocks[i]));
+    ++count;
+  }
+  return count > 0 ? times(1 / count, sum) : sum;
+}
+
 }  // namespace
 
 std::string csv_of(const std::vector<Trial>& trials, const std::string& search, const std::string& column) {
@@ -173,12 +191,12 @@ std::optional<bool> Trials::stands_through(const SceneStage& stage, const std::v
 
 bool Trials::find_farthest(const std::vector<double>& limits, Trial& trial) const {
   const Frame now = model_->frame();
+  const Point of_ground = displacement_of_ground(*start_, now);
   bool is_too_far = false;
   trial.moved = 0;
   for (std::size_t i = 0; i < now.blocks.size(); ++i) {
     if (!moves_freely(now.blocks[i].state.kind)) continue;
-    const double moved = length(
-        minus(point_of(now.blocks[i].state.pose.position), point_of(start_->blocks[i].state.pose.position)));
+    const double moved = length(minus(displacement(start_->blocks[i], now.blocks[i]), of_ground));
     is_too_far = is_too_far || moved > limits[i];
     if (moved <= trial.moved) continue;
     trial.moved = moved;
