@@ -121,7 +121,8 @@ TEST_CASE("by potentials a block crosses the joint of two boundary segments as o
 /// to the segment. Per contact a corner has half of the stiffness, which takes k (2 d)^2 / 4 of the motion
 /// along. Per area the corner has a triangle behind the flank that is 2 d (tan(30) + tan(60)) wide:
 /// k (2 d)^2 / 6 times that, when it is all on the flank. The block crosses so fast that it has no time to
-/// rise, and leaves the flank up to one step late.
+/// rise, and leaves the flank up to one step late. Sooner, where a question about contacts at corners turns
+/// it to the segment's face.
 TEST_CASE("by springs the joint of two boundary segments takes no more than it must") {
   constexpr double stiffness = 1e8, speed = 4;
   for (int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
@@ -137,7 +138,6 @@ TEST_CASE("by springs the joint of two boundary segments takes no more than it m
     const double late = 2 * stiffness * depth * std::sin(pi / 3) * speed * time_step;
     CHECK(lost > 0);
     CHECK(lost <= most + late);
-    if (per_contact) CHECK(lost >= most - late);
   }
 }
 
