@@ -83,7 +83,8 @@ typename Entrances<D>::Lifted Entrances<D>::lift(const Candidate<D>& pair, std::
 /// that separates them, else none.
 template <int D>
 typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, const Lifted& lifted) const {
-  const auto& [at, normal] = lifted;
+  const PlacedBlocks<D>& at = lifted.at;
+  const Vector<D>& normal = lifted.normal;
   const double entrance_cosine = normal_of(at.a, at.b, met.witness.pair).dot(normal);
   const auto is_another_way = [&](const PotentialPair<D>& pair) {
     const double cosine = normal_of(at.a, at.b, pair).dot(normal);

@@ -78,23 +78,18 @@ class LineDrawing {
       draw_tick(static_cast<double>(i), chart_.x_names[i]);
     if (chart_.x_names.empty()) {
       const double step = even_step(x_.high - x_.low, 7);
-      for (const double x : multiples_of(step, x_.low, x_.high)) draw_tick(x, number(x, step, x_));
+      for (const double x : multiples_of(step, x_.low, x_.high))
+        draw_tick(x, number_on_scale(x, step, x_.low, x_.high));
     }
     const double step = even_step(y_.high - y_.low, 6);
     for (const double y : multiples_of(step, y_.low, y_.high)) {
       const double pixel = at(x_.low, y)[1];
       svg_.line({chart_left, pixel}, {chart_left + chart_width, pixel}, R"(stroke="#dddddd")");
-      svg_.label({chart_left - 8, pixel + 4}, number(y, step, y_), 12, "end");
+      svg_.label({chart_left - 8, pixel + 4}, number_on_scale(y, step, y_.low, y_.high), 12, "end");
     }
     svg_.rectangle({chart_left, chart_top}, chart_width, chart_height, R"(fill="none" stroke="#888888")");
     svg_.label({chart_left + chart_width / 2, chart_top + chart_height + 46}, chart_.x_label, 13, "middle");
     svg_.label({22, chart_top + chart_height / 2}, chart_.y_label, 13, "middle", -90);
-  }
-
-  /// A multiple of a step, with its decimals, or with a power of ten.
-  static std::string number(double value, double step, const Span& span) {
-    const double size = std::max(std::abs(span.low), std::abs(span.high));
-    return size < 1e-3 || size >= 1e6 ? rounded(value, 4) : decimals(value + 0.0, decimals_for(step));
   }
 
   void draw(const LineChart::Line& line, const std::string& colour) {

@@ -60,7 +60,7 @@ void draw_colours(Svg& svg, const Plot& plot, const Scene& scene) {
     for (const double value : multiples_of(step, stage.lowest, stage.highest)) {
       const double y = top_margin + height * (stage.highest - value) / range;
       svg.line({x + 14, y}, {x + 18, y}, "stroke=\"#222\"");
-      const std::string number = decimals(value + 0.0, decimals_for(step));
+      const std::string number = number_on_scale(value, step, stage.lowest, stage.highest);
       widest = std::max(widest, digit_width * static_cast<double>(number.size()));
       svg.label({x + 22, y + 4}, number, 12, "start");
     }

@@ -56,6 +56,11 @@ std::vector<double> multiples_of(double step, double low, double high) {
 
 int decimals_for(double step) { return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9))); }
 
+std::string number_on_scale(double value, double step, double low, double high) {
+  const double size = std::max(std::abs(low), std::abs(high));
+  return size < 1e-3 || size >= 1e6 ? rounded(value + 0.0, 4) : decimals(value + 0.0, decimals_for(step));
+}
+
 Svg::Svg(double width, double height) {
   const std::string w = pixels(width);
   const std::string h = pixels(height);

@@ -17,6 +17,9 @@ std::vector<double> multiples_of(double step, double low, double high);
 /// The decimals that distinguish multiples of a step.
 int decimals_for(double step);
 
+/// A multiple of a step on a scale, with its decimals, or with a power of ten.
+std::string number_on_scale(double value, double step, double low, double high);
+
 /// A drawing in pixels, y downwards.
 class Svg {
  public:
