@@ -159,8 +159,10 @@ void World<D>::ask_about_corners() {
     Candidate<D>& pair = contacts_.neighbors().pairs()[k];
     pair.witness.pair = face;
     const double released = contacts_.release_shear(k);
-    if (share_.counts(pair)) ledger_.add_friction_loss(released);
     share_.note_entrance(pair);
+    if (!share_.counts(pair)) continue;
+    ledger_.set_contact_strain(ledger_.entries().strain - released);
+    ledger_.add_friction_loss(released);
   }
 }
 

@@ -89,3 +89,26 @@ void slide(int dimension) {
 TEST_CASE("a row of blocks slides over a row cut by the same joints in the plane") { slide(2); }
 
 TEST_CASE("a row of blocks slides over a row cut by the same joints in space") { slide(3); }
+
+/// Both blocks are pressed against the wall. It overlaps both alike, which tells nothing about their contact.
+TEST_CASE("a tip stands on the end of a block beside a wall that presses on both") {
+  constexpr double bearing = 2e-4;
+  for (const auto& [kind, stiffness] :
+       {std::pair(HS_STIFFNESS_PER_CONTACT, 1e7), std::pair(HS_STIFFNESS_PER_AREA, 1e9)}) {
+    INFO(name_of_stiffness(kind));
+    hs_law_def law = spring_law(stiffness);
+    law.stiffness_kind = kind;
+    law.normal_damping = 0.3;
+    hs_world_def def = world_def(0);
+    def.gravity[0] = 2 * 9.81;
+    Scene scene(def, law, 2500);
+    scene.add(box(-2, -1, 0, 0), {HS_BLOCK_FIXED, {}, 0});
+    scene.add(box(0, -1, 2, 4), {HS_BLOCK_FIXED, {}, 0});
+    scene.add(box(-0.1, 0, 0, 1));
+    const hs_block tip = scene.add(Points{{-bearing, 1}, {0, 1 + 20 * bearing}, {0, 2}, {-0.2, 1.5}});
+    const double start = scene.position(tip).y;
+    while (scene.report().time < 1) scene.step(100);
+    CHECK(scene.position(tip).y > start - 0.01);
+    CHECK(std::abs(scene.velocity(tip).y) < 1e-3);
+  }
+}

@@ -64,27 +64,23 @@ bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const
   return std::binary_search(met.begin(), met.end(), k);
 }
 
-/// Lifts a block of a pair out of a third.
+/// Of a block of a pair out of a third.
 template <int D>
-typename Entrances<D>::Lifted Entrances<D>::lift(const Candidate<D>& pair, std::int32_t lifted,
-                                                 const Candidate<D>& known) const {
+typename Entrances<D>::Lift Entrances<D>::lift(const Candidate<D>& pair, std::int32_t lifted,
+                                               const Candidate<D>& known) const {
   Contact<D> contact;
   contacts_.describe(known, contact);
   // From the third block to the lifted one.
   const Vector<D> up = known.a == lifted ? Vector<D>(-contact.normal) : contact.normal;
-  const double depth = std::max(-contact.gap, 0.0);
   const double sign = pair.a == lifted ? -1 : 1;
-  Lifted result{model_.blocks.placed(pair.a, pair.b), sign * up};
-  result.at.to_b += depth * result.normal;
-  return result;
+  return {sign * up, std::max(-contact.gap, 0.0)};
 }
 
 /// The pair along the lift if it leaves the two blocks flush or apart, else the pair of the largest gap if
 /// that separates them, else none.
 template <int D>
-typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, const Lifted& lifted) const {
-  const PlacedBlocks<D>& at = lifted.at;
-  const Vector<D>& normal = lifted.normal;
+typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, const PlacedBlocks<D>& at,
+                                                   const Vector<D>& normal) const {
   const double entrance_cosine = normal_of(at.a, at.b, met.witness.pair).dot(normal);
   const auto is_another_way = [&](const PotentialPair<D>& pair) {
     const double cosine = normal_of(at.a, at.b, pair).dot(normal);
@@ -113,7 +109,10 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
       const Candidate<D>& known = neighbors.pairs()[k];
       if (!contacts_.was_in_contact(known) || has_met(k, found)) return;
       if (reaches_far && !neighbors.pair_between(known.a + known.b - block, other)) return;
-      const Way way = way_along(met, lift(met, block, known));
+      const auto [normal, depth] = lift(met, block, known);
+      PlacedBlocks<D> at = model_.blocks.placed(met.a, met.b);
+      at.to_b += depth * normal;
+      const Way way = way_along(met, at, normal);
       if (way.gap > best.gap) best = way;
     });
   }
@@ -131,7 +130,8 @@ bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
   return true;
 }
 
-/// Counts third blocks that touch both. Laws by overlap have no entry face.
+/// Counts third blocks that touch both, and lifts both out of them: what presses on both alike tells nothing.
+/// Laws by overlap have no entry face.
 template <int D>
 void Entrances<D>::ask_again(std::uint32_t k) {
   NeighborList<D>& neighbors = contacts_.neighbors();
@@ -139,16 +139,11 @@ void Entrances<D>::ask_again(std::uint32_t k) {
   if (pair.bonded || model_.law_of(pair).is_potential()) return;
   Contact<D> contact;
   contacts_.describe(pair, contact);
-  if (!is_at_corner(model_.blocks.placed(pair.a, pair.b), contact, corner * smaller_radius(pair))) return;
+  const PlacedBlocks<D> placed = model_.blocks.placed(pair.a, pair.b);
+  if (!is_at_corner(placed, contact, corner * smaller_radius(pair))) return;
 
   neighbors.index_pairs();
-  // No pair of the list, and no contact, is between blocks that do not move.
-  const auto touch = [&](std::int32_t a, std::int32_t b) {
-    if (!model_.blocks.moves_freely(std::size_t(a)) && !model_.blocks.moves_freely(std::size_t(b)))
-      return true;
-    const std::optional<std::size_t> between = neighbors.pair_between(a, b);
-    return between && contacts_.was_in_contact(neighbors.pairs()[*between]);
-  };
+  const auto moves = [&](std::int32_t block) { return model_.blocks.moves_freely(std::size_t(block)); };
   double left = contact.gap;  // of the overlap, after the best lift along its own face
   Way best;
   for (const std::int32_t block : {pair.a, pair.b}) {
@@ -156,11 +151,20 @@ void Entrances<D>::ask_again(std::uint32_t k) {
     neighbors.for_each_pair_of(block, [&](std::size_t known_k) {
       const Candidate<D>& known = neighbors.pairs()[known_k];
       const std::int32_t third = known.a + known.b - block;
-      if (third == other || !contacts_.was_in_contact(known) || !touch(third, other)) return;
-      const Lifted lifted = lift(pair, block, known);
+      if (third == other || !contacts_.was_in_contact(known)) return;
+      const Lift of_block = lift(pair, block, known);
+      PlacedBlocks<D> at = placed;
+      at.to_b += of_block.depth * of_block.normal;
+      // No pair of the list is between blocks that do not move.
+      if (moves(third) || moves(other)) {
+        const std::optional<std::size_t> beside = neighbors.pair_between(third, other);
+        if (!beside || !contacts_.was_in_contact(neighbors.pairs()[*beside])) return;
+        const Lift of_other = lift(pair, other, neighbors.pairs()[*beside]);
+        at.to_b += of_other.depth * of_other.normal;
+      }
       PotentialPair<D> own = pair.witness.pair;
-      left = std::max(left, refresh(lifted.at.a, lifted.at.b, lifted.at.to_b, own));
-      const Way way = way_along(pair, lifted);
+      left = std::max(left, refresh(at.a, at.b, at.to_b, own));
+      const Way way = way_along(pair, at, of_block.normal);
       if (way.gap > best.gap) best = way;
     });
   }

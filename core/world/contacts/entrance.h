@@ -50,15 +50,15 @@ class Entrances {
     PotentialPair<D> pair{};
     double gap = -HUGE_VAL;  // of the blocks after the lift
   };
-  /// Two blocks after a lift, and its direction: from a to b, or the opposite.
-  struct Lifted {
-    PlacedBlocks<D> at;
+  /// Of b relative to a.
+  struct Lift {
     Vector<D> normal;
+    double depth;
   };
   Way free_way(const Candidate<D>& met, std::span<const PairSums> found) const;
   bool has_met(std::size_t k, std::span<const PairSums> found) const;
-  Lifted lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
-  Way way_along(const Candidate<D>& pair, const Lifted& lifted) const;
+  Lift lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
+  Way way_along(const Candidate<D>& pair, const PlacedBlocks<D>& at, const Vector<D>& normal) const;
   double smaller_radius(const Candidate<D>& pair) const {
     return std::min(model_.blocks.radius[std::size_t(pair.a)], model_.blocks.radius[std::size_t(pair.b)]);
   }
