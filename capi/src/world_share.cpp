@@ -104,7 +104,7 @@ void enter_planned(World<D>& w, const SharedMotion& motion) {
   }
 }
 
-/// What is everywhere is in all shares.
+/// Each share has all blocks that are everywhere.
 template <int D>
 void require_all_everywhere(const World<D>& from, std::span<const PackedBlock> blocks) {
   const auto is_everywhere = [](const PackedBlock& block) { return block.role == ShareRole::everywhere; };

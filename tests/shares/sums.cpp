@@ -61,7 +61,7 @@ TEST_CASE("losses stay with a share that comes to own all blocks", "[shares]") {
                                last = {part(0, HS_ROLE_EVERYWHERE), part(4, HS_ROLE_OWN)};
   CHECK(loss_of(cut(all, last)) == 2);
   CHECK(loss_of(cut(restored(context, saved(all.get())), last)) == 2);
-  // With the losses of all it is a whole world, and its shares divide them.
+  // A world with the losses of all is a whole one, and its shares divide them.
   set_loss(all, 3);
   CHECK(loss_of(cut(all, last)) == 0);
   CHECK(loss_of(cut(all, first)) == 3);

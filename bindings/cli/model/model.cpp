@@ -89,7 +89,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   if (scene.in_situ) preload_joints(scene);
   update_report();
   is_moving_.resize(blocks_.size());
-  for (const auto& [index, block] : prescribed_blocks()) is_moving_[index] = moves(index);
+  note_motions();
   if (scene.stages.empty()) begin_actions(0);
 }
 
@@ -263,14 +263,19 @@ bool Model::moves(std::size_t block) const {
   return (motion.start == 0 || reached(motion.start)) && !reached(motion.stop);
 }
 
+void Model::note_motions() {
+  for (const auto& [index, block] : prescribed_blocks()) is_moving_[index] = moves(index);
+}
+
 /// Between its start and its stop the velocity of a block is that of its actions, if it has any.
 void Model::set_due_motions() {
   for (const auto& [index, block] : prescribed_blocks()) {
-    if (moves(index) == (is_moving_[index] != 0)) continue;
-    is_moving_[index] = moves(index);
+    const bool is_moving = moves(index);
+    if (is_moving == (is_moving_[index] != 0)) continue;
+    is_moving_[index] = is_moving;
     const Motion& motion = layout_.blocks[index].motion;
-    const Point velocity = moves(index) ? motion.velocity : Point{};
-    const Point spin = moves(index) ? motion.angular_velocity : Point{};
+    const Point velocity = is_moving ? motion.velocity : Point{};
+    const Point spin = is_moving ? motion.angular_velocity : Point{};
     require(context_, hs_world_set_velocity(world_.get(), block, velocity.data(), spin.data()));
   }
 }

@@ -69,8 +69,6 @@ class Model {
   /// The name of each block of the world, cells included, in the order of hs_world_get_blocks().
   std::vector<std::string> names() const;
 
-  /// Restores a world from snapshot(). @throws LibraryError
-  void restore(const std::string& world);
   /// Divides all strengths of the scene by a factor.
   void weaken(double factor);
   /// Turns gravity, also while a stage changes it, about an axis of unit length, by an angle in rad.
@@ -145,6 +143,9 @@ class Model {
   /// Begins the actions of a stage.
   void begin_actions(std::size_t stage);
   int32_t add_table(const TimeTable& table);
+  /// Restores a world from snapshot(). @throws LibraryError
+  void restore(const std::string& world);
+  void note_motions();
   void set_due_motions();
   struct PrescribedBlock {
     std::size_t index = 0;  ///< in the layout; of a compound its first part
@@ -197,6 +198,12 @@ class Model {
   std::vector<std::vector<Point>> released_;  ///< forces of excavated cells on each body's nodes, or none
   bool frames_have_contacts_;
 };
+
+/// How much of its gradual changes a stage that runs, and began at `start`, has made by now.
+inline double progress_of(const SceneStage& stage, const Model& model, double start) {
+  if (stage.ramp == 0 || model.reached(start + stage.ramp)) return 1;
+  return (model.report().time - start) / stage.ramp;
+}
 
 /// True if a stage that runs, and began at `start`, has ended.
 inline bool has_ended(const SceneStage& stage, const Model& model, double start) {

@@ -48,7 +48,7 @@ void Model::restore(const std::string& world) {
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     if (is_excavated(body)) bodies_[body] = 0;
   update_report();
-  for (const auto& [index, block] : prescribed_blocks()) is_moving_[index] = moves(index);
+  note_motions();
 }
 
 /// Checks that a restored world has all parts of the layout.

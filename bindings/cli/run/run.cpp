@@ -221,9 +221,8 @@ class Run {
   /// Applies gradual changes every few steps and at the end of the ramp, whatever the wall time.
   void change(const SceneStage& stage, std::int64_t steps) {
     if (model_.is_changed()) return;
-    const bool is_over = model_.reached(at_.start + stage.ramp);
-    if (!is_over && steps % Peaks::steps_between != 0) return;
-    model_.change_to(is_over ? 1 : (model_.report().time - at_.start) / stage.ramp);
+    const double progress = progress_of(stage, model_, at_.start);
+    if (progress == 1 || steps % Peaks::steps_between == 0) model_.change_to(progress);
   }
 
   /// Ends the stage once all free blocks have been slow for long enough.

@@ -12,9 +12,7 @@ constexpr std::int64_t steps_of_change = 16;
 
 void run_on(const SceneStage& stage, Model& model, double start, std::int64_t max_steps) {
   const double end = start + stage.duration, ramp_end = start + stage.ramp;
-  if (!model.is_changed())
-    model.change_to(stage.ramp == 0 || model.reached(ramp_end) ? 1
-                                                               : (model.report().time - start) / stage.ramp);
+  if (!model.is_changed()) model.change_to(progress_of(stage, model, start));
   const bool is_changed = model.is_changed();
   model.step_towards(is_changed ? end : ramp_end,
                      is_changed ? max_steps : std::min(max_steps, steps_of_change),

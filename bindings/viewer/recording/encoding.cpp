@@ -9,6 +9,17 @@
 #include <stdexcept>
 
 namespace halfspace::viewer {
+namespace {
+
+/// Bytes from one on as a number, the first byte highest; those beyond the end count as 0.
+std::uint32_t number_of(const std::string& bytes, std::size_t first, std::size_t count) {
+  std::uint32_t number = 0;
+  for (std::size_t i = first; i < first + count; ++i)
+    number = number << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
+  return number;
+}
+
+}  // namespace
 
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -26,9 +37,7 @@ std::string base64(const std::string& bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    const std::uint32_t bits = number_of(bytes, i, 3);
     for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
   }
   return text;
@@ -41,9 +50,7 @@ std::string base85(const std::string& bytes) {
   text.reserve((bytes.size() + 3) / 4 * 5);
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
     const std::size_t count = std::min<std::size_t>(4, bytes.size() - i);
-    std::uint32_t number = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-      number = number << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    std::uint32_t number = number_of(bytes, i, 4);
     char group[5];
     for (std::size_t k = 5; k-- > 0; number /= 85) group[k] = digits[number % 85];
     text.append(group, count + 1);

@@ -112,7 +112,7 @@ class Spring {
             NormalPart& normal) const;
   ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
                          const ShearSpring<D>& spring) const;
-  /// Of all springs of the base.
+  /// The stiffness of all springs of the base together.
   double whole_stiffness(double stiffness, const NormalPart& normal) const {
     return law_.stiffness_kind == StiffnessKind::per_area ? stiffness * normal.base : stiffness;
   }

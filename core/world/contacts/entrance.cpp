@@ -64,7 +64,7 @@ bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const
   return std::binary_search(met.begin(), met.end(), k);
 }
 
-/// Of a block of a pair out of a third.
+/// Lifts a block of a pair out of a third.
 template <int D>
 typename Entrances<D>::Lift Entrances<D>::lift(const Candidate<D>& pair, std::int32_t lifted,
                                                const Candidate<D>& known) const {
@@ -152,13 +152,15 @@ void Entrances<D>::ask_again(std::uint32_t k) {
       const Candidate<D>& known = neighbors.pairs()[known_k];
       const std::int32_t third = known.a + known.b - block;
       if (third == other || !contacts_.was_in_contact(known)) return;
+      // No pair of the list is between blocks that do not move; they count as touching.
+      const std::optional<std::size_t> beside = neighbors.pair_between(third, other);
+      const bool do_touch =
+          beside ? contacts_.was_in_contact(neighbors.pairs()[*beside]) : !moves(third) && !moves(other);
+      if (!do_touch) return;
       const Lift of_block = lift(pair, block, known);
       PlacedBlocks<D> at = placed;
       at.to_b += of_block.depth * of_block.normal;
-      // No pair of the list is between blocks that do not move.
-      if (moves(third) || moves(other)) {
-        const std::optional<std::size_t> beside = neighbors.pair_between(third, other);
-        if (!beside || !contacts_.was_in_contact(neighbors.pairs()[*beside])) return;
+      if (beside) {
         const Lift of_other = lift(pair, other, neighbors.pairs()[*beside]);
         at.to_b += of_other.depth * of_other.normal;
       }

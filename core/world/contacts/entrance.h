@@ -50,7 +50,7 @@ class Entrances {
     PotentialPair<D> pair{};
     double gap = -HUGE_VAL;  // of the blocks after the lift
   };
-  /// Of b relative to a.
+  /// A displacement of block b relative to block a.
   struct Lift {
     Vector<D> normal;
     double depth;

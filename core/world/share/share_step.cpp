@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/precise.h"
 #include "world/world.h"
 
 // A step of a share, in pieces, between which the host carries bytes. The pieces are those of World::step()
@@ -17,9 +18,11 @@ struct AccurateSum {
   Value errors = Value::Zero();
 
   void add(const Value& term) {
-    const Value sum = rounded + term, added = sum - rounded;
-    errors += (rounded - (sum - added)) + (term - added);
-    rounded = sum;
+    for (int i = 0; i < Value::SizeAtCompileTime; ++i) {
+      const Precise sum = difference(rounded[i], -term[i]);
+      rounded[i] = sum.high;
+      errors[i] += sum.low;
+    }
   }
   Value value() const { return rounded + errors; }
 };

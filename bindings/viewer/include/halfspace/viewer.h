@@ -84,9 +84,8 @@ int32_t hs_recording_set_bolts(hs_recording* recording, int64_t count, const int
 /** @brief Adds failures of points of bonds, at any time.
  *  @param recording not NULL @param count of cracks @param times s, one each
  *  @param blocks_a,blocks_b numbers of the blocks of each @param positions at these times, 3 coordinates each
- *  @param normals from block a to block b, of length 1, 3 components each @param areas m2, in 2D lengths, one
- * each
- *  @param are_shear 1 or 0 each */
+ *  @param normals from block a to block b, of length 1, 3 components each
+ *  @param areas m2, in 2D lengths, one each @param are_shear 1 or 0 each */
 int32_t hs_recording_add_cracks(hs_recording* recording, int64_t count, const double times[],
                                 const int64_t blocks_a[], const int64_t blocks_b[], const double positions[],
                                 const double normals[], const double areas[], const int32_t are_shear[]);
