@@ -131,7 +131,8 @@ bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
 }
 
 /// Counts third blocks that touch both, and lifts both out of them: what presses on both alike tells nothing.
-/// Laws by overlap have no entry face.
+/// Laws by overlap have no entry face. A contact that is deeper than flush, by its face or by the other, is a
+/// collision: its spring holds energy that would be lost or made.
 template <int D>
 void Entrances<D>::ask_again(std::uint32_t k) {
   NeighborList<D>& neighbors = contacts_.neighbors();
@@ -139,6 +140,8 @@ void Entrances<D>::ask_again(std::uint32_t k) {
   if (pair.bonded || model_.law_of(pair).is_potential()) return;
   Contact<D> contact;
   contacts_.describe(pair, contact);
+  const double deepest = -flush * smaller_radius(pair);
+  if (contact.gap < deepest) return;
   const PlacedBlocks<D> placed = model_.blocks.placed(pair.a, pair.b);
   if (!is_at_corner(placed, contact, corner * smaller_radius(pair))) return;
 
@@ -170,7 +173,8 @@ void Entrances<D>::ask_again(std::uint32_t k) {
       if (way.gap > best.gap) best = way;
     });
   }
-  if (std::min(best.gap, 0.0) > clearly_less * left) answers_.push_back({k, best.pair});
+  if (!(std::min(best.gap, 0.0) > clearly_less * left)) return;
+  if (refresh(placed.a, placed.b, placed.to_b, best.pair) >= deepest) answers_.push_back({k, best.pair});
 }
 
 template <int D>
