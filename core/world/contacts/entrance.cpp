@@ -131,8 +131,8 @@ bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
 }
 
 /// Counts third blocks that touch both, and lifts both out of them: what presses on both alike tells nothing.
-/// Laws by overlap have no entry face. A contact that is deeper than flush, by its face or by the other, is a
-/// collision: its spring holds energy that would be lost or made.
+/// Laws by overlap have no entry face. A face that is overlapped deeper than flush, and deeper than the
+/// cached one, is none either: its spring would make energy.
 template <int D>
 void Entrances<D>::ask_again(std::uint32_t k) {
   NeighborList<D>& neighbors = contacts_.neighbors();
@@ -140,8 +140,6 @@ void Entrances<D>::ask_again(std::uint32_t k) {
   if (pair.bonded || model_.law_of(pair).is_potential()) return;
   Contact<D> contact;
   contacts_.describe(pair, contact);
-  const double deepest = -flush * smaller_radius(pair);
-  if (contact.gap < deepest) return;
   const PlacedBlocks<D> placed = model_.blocks.placed(pair.a, pair.b);
   if (!is_at_corner(placed, contact, corner * smaller_radius(pair))) return;
 
@@ -174,6 +172,7 @@ void Entrances<D>::ask_again(std::uint32_t k) {
     });
   }
   if (!(std::min(best.gap, 0.0) > clearly_less * left)) return;
+  const double deepest = std::min(contact.gap, -flush * smaller_radius(pair));
   if (refresh(placed.a, placed.b, placed.to_b, best.pair) >= deepest) answers_.push_back({k, best.pair});
 }
 
