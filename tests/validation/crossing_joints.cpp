@@ -112,3 +112,35 @@ TEST_CASE("a tip stands on the end of a block beside a wall that presses on both
     CHECK(std::abs(scene.velocity(tip).y) < 1e-3);
   }
 }
+
+/// Corners of triangles meet again and again. None may turn to a face of which the next question thinks
+/// otherwise.
+TEST_CASE("a wall of triangles that slides apart keeps its energy") {
+  constexpr int width = 4, height = 3;
+  for (const double jitter : {0.0, 0.1}) {
+    INFO("jitter " << jitter);
+    hs_law_def law = spring_law(1e9);
+    law.normal_damping = 0.3;
+    hs_world_def def = world_def(0);
+    def.gravity[0] = along;
+    Scene scene(def, law, 2500);
+    scene.add(box(-1, -1, width + 3, 0), {HS_BLOCK_FIXED, {}, 0});
+    scene.add(box(width, 0, width + 1, height), {HS_BLOCK_FIXED, {}, 0});
+    const auto node = [&](int i, int j) {
+      const bool is_inner_x = i > 0 && i<width, is_inner_y = j> 0 && j < height;
+      return Point{i + (is_inner_x ? jitter * std::sin(3 * i + 5 * j) : 0),
+                   j + (is_inner_y ? jitter * std::cos(4 * i + 2 * j) : 0)};
+    };
+    for (int i = 0; i < width; ++i) {
+      for (int j = 0; j < height; ++j) {
+        const Point a = node(i, j), b = node(i + 1, j), c = node(i + 1, j + 1), d = node(i, j + 1);
+        const bool is_odd = (i + j) % 2 == 1;
+        scene.add(is_odd ? Points{a, b, c} : Points{a, b, d});
+        scene.add(is_odd ? Points{a, c, d} : Points{b, c, d});
+      }
+    }
+    while (scene.report().time < 0.2) scene.step(100);
+    const hs_energy energy = scene.energy();
+    CHECK(std::abs(energy.residual) < 1e-2 * (energy.kinetic + energy.contact_damping_loss));
+  }
+}

@@ -1,6 +1,7 @@
 #include "world/contacts/entrance.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "narrow_phase/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
@@ -56,12 +57,14 @@ bool is_at_corner(const PlacedBlocks<3>& at, const Contact<3>& contact, double w
 
 }  // namespace
 
-/// Pairs that meet in this detection do not count as third blocks, so the order of pairs does not matter.
+/// Pairs that meet in this detection do not count, so the order of pairs does not matter.
 template <int D>
-bool Entrances<D>::has_met(std::size_t k, std::span<const PairSums> found) const {
+bool Entrances<D>::does_touch(std::size_t k, std::span<const PairSums> found) const {
+  if (!contacts_.was_in_contact(contacts_.neighbors().pairs()[k])) return false;
+  if (found.empty()) return true;
   const std::size_t chunk = k / pairs_per_chunk;
   const auto met = contacts_.met_in(chunk, found[chunk]);
-  return std::binary_search(met.begin(), met.end(), k);
+  return !std::binary_search(met.begin(), met.end(), k);
 }
 
 /// Lifts a block of a pair out of a third.
@@ -107,7 +110,7 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
     const bool reaches_far = !model_.blocks.moves_freely(std::size_t(block));
     neighbors.for_each_pair_of(block, [&](std::size_t k) {
       const Candidate<D>& known = neighbors.pairs()[k];
-      if (!contacts_.was_in_contact(known) || has_met(k, found)) return;
+      if (!does_touch(k, found)) return;
       if (reaches_far && !neighbors.pair_between(known.a + known.b - block, other)) return;
       const auto [normal, depth] = lift(met, block, known);
       PlacedBlocks<D> at = model_.blocks.placed(met.a, met.b);
@@ -119,29 +122,19 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
   return best;
 }
 
-template <int D>
-bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
-  contacts_.neighbors().index_pairs();
-  Candidate<D>& met = contacts_.neighbors().pairs()[k];
-  if (met.bonded) return false;
-  const Way way = free_way(met, found);
-  if (!(way.gap > -HUGE_VAL)) return false;
-  met.witness.pair = way.pair;
-  return true;
-}
-
 /// Counts third blocks that touch both, and lifts both out of them: what presses on both alike tells nothing.
 /// Laws by overlap have no entry face. A face that is overlapped deeper than flush, and deeper than the
 /// cached one, is none either: its spring would make energy.
 template <int D>
-void Entrances<D>::ask_again(std::uint32_t k) {
+std::optional<PotentialPair<D>> Entrances<D>::better_face(std::size_t k,
+                                                          std::span<const PairSums> found) const {
   NeighborList<D>& neighbors = contacts_.neighbors();
   const Candidate<D>& pair = neighbors.pairs()[k];
-  if (pair.bonded || model_.law_of(pair).is_potential()) return;
+  if (pair.bonded || model_.law_of(pair).is_potential()) return {};
   Contact<D> contact;
   contacts_.describe(pair, contact);
   const PlacedBlocks<D> placed = model_.blocks.placed(pair.a, pair.b);
-  if (!is_at_corner(placed, contact, corner * smaller_radius(pair))) return;
+  if (!is_at_corner(placed, contact, corner * smaller_radius(pair))) return {};
 
   neighbors.index_pairs();
   const auto moves = [&](std::int32_t block) { return model_.blocks.moves_freely(std::size_t(block)); };
@@ -152,11 +145,10 @@ void Entrances<D>::ask_again(std::uint32_t k) {
     neighbors.for_each_pair_of(block, [&](std::size_t known_k) {
       const Candidate<D>& known = neighbors.pairs()[known_k];
       const std::int32_t third = known.a + known.b - block;
-      if (third == other || !contacts_.was_in_contact(known)) return;
+      if (third == other || !does_touch(known_k, found)) return;
       // No pair of the list is between blocks that do not move; they count as touching.
       const std::optional<std::size_t> beside = neighbors.pair_between(third, other);
-      const bool do_touch =
-          beside ? contacts_.was_in_contact(neighbors.pairs()[*beside]) : !moves(third) && !moves(other);
+      const bool do_touch = beside ? does_touch(*beside, found) : !moves(third) && !moves(other);
       if (!do_touch) return;
       const Lift of_block = lift(pair, block, known);
       PlacedBlocks<D> at = placed;
@@ -171,9 +163,28 @@ void Entrances<D>::ask_again(std::uint32_t k) {
       if (way.gap > best.gap) best = way;
     });
   }
-  if (!(std::min(best.gap, 0.0) > clearly_less * left)) return;
+  if (!(std::min(best.gap, 0.0) > clearly_less * left)) return {};
   const double deepest = std::min(contact.gap, -flush * smaller_radius(pair));
-  if (refresh(placed.a, placed.b, placed.to_b, best.pair) >= deepest) answers_.push_back({k, best.pair});
+  if (refresh(placed.a, placed.b, placed.to_b, best.pair) < deepest) return {};
+  return best.pair;
+}
+
+template <int D>
+bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
+  contacts_.neighbors().index_pairs();
+  Candidate<D>& met = contacts_.neighbors().pairs()[k];
+  if (met.bonded) return false;
+  const Way way = free_way(met, found);
+  if (!(way.gap > -HUGE_VAL)) return false;
+  const PotentialPair<D> entry = std::exchange(met.witness.pair, way.pair);
+  if (!better_face(k, found)) return true;
+  met.witness.pair = entry;
+  return false;
+}
+
+template <int D>
+void Entrances<D>::ask_again(std::uint32_t k) {
+  if (const auto face = better_face(k, {})) answers_.push_back({k, *face});
 }
 
 template <int D>

@@ -14,8 +14,8 @@ namespace halfspace {
 //
 // Where joints cross, corners of a cut rock often meet before any of them rests on a third block, and nothing
 // tells the face in the joint then. So a contact at a corner is asked about again now and then: a lift that
-// leaves less of its overlap than all lifts along its own face shows the entry face. See
-// docs/concepts/contact.md.
+// leaves less of its overlap than all lifts along its own face shows the entry face. The lift of a meeting
+// counts only if this question agrees, or contacts would swing. See docs/concepts/contact.md.
 
 /// Determines the entry faces of blocks that have met.
 template <int D>
@@ -56,7 +56,8 @@ class Entrances {
     double depth;
   };
   Way free_way(const Candidate<D>& met, std::span<const PairSums> found) const;
-  bool has_met(std::size_t k, std::span<const PairSums> found) const;
+  bool does_touch(std::size_t k, std::span<const PairSums> found) const;
+  std::optional<PotentialPair<D>> better_face(std::size_t k, std::span<const PairSums> found) const;
   Lift lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
   Way way_along(const Candidate<D>& pair, const PlacedBlocks<D>& at, const Vector<D>& normal) const;
   double smaller_radius(const Candidate<D>& pair) const {
