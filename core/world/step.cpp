@@ -185,7 +185,6 @@ void World<D>::move_and_load() {
   made_ = duration;
   evaluate_forces(duration);
   made_ = 0;
-  ask_about_corners();
   if (!model_.actions.empty()) model_.actions.place_loads(model_.blocks);
 }
 

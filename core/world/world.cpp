@@ -135,7 +135,7 @@ void World<D>::take_in_met(OnContact on_contact) {
       const bool loads_own = share_.loads(pair);
       Contact<D> contact;
       if (contacts_.is_described(pair)) {
-        if (loads_own && entrances_.find(k, sums_)) share_.note_entrance(pair);
+        if (loads_own && entrances_.find(k, sums_, made_)) share_.note_entrance(pair);
         entrances_.describe(k, contact);
         if (loads_own) contacts_.note_overlap(k, contact, sums);
       }
@@ -144,25 +144,6 @@ void World<D>::take_in_met(OnContact on_contact) {
             std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
       if (loads_own || pair.bonded) on_contact(k, contact, sums);
     }
-  }
-}
-
-/// Every few steps contacts at corners may turn to another face. The next motion loads them there.
-template <int D>
-void World<D>::ask_about_corners() {
-  if (clock_.steps() % Entrances<D>::steps_between != 0) return;
-  entrances_.forget_answers();
-  for (const std::uint32_t k : contacts_.touching()) {
-    if (!sleep_.leaves_out(contacts_.neighbors().pairs()[k])) entrances_.ask_again(k);
-  }
-  for (const auto& [k, face] : entrances_.answers()) {
-    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-    pair.witness.pair = face;
-    const double released = contacts_.release_shear(k);
-    share_.note_entrance(pair);
-    if (!share_.counts(pair)) continue;
-    ledger_.set_contact_strain(ledger_.entries().strain - released);
-    ledger_.add_friction_loss(released);
   }
 }
 
@@ -252,6 +233,8 @@ void World<D>::evaluate_forces(double elapsed) {
     take_in_met(load_in_order);
     end_finding();
   }
+  const bool is_of_host = made_ == 0;  // nobody counts its steps
+  if (elapsed > 0 && (is_of_host || clock_.steps() % Entrances<D>::steps_between == 0)) turn_at_corners();
   lap(Pass::pairs);
   forces_.gather(sums_);
   ContactEnergy energy;
@@ -268,6 +251,32 @@ void World<D>::evaluate_forces(double elapsed) {
     lap(Pass::bonds);
   }
   forces_.load_compounds();
+}
+
+/// Contacts at corners may turn to another face, which carries at once. What the shear springs held is lost.
+template <int D>
+void World<D>::turn_at_corners() {
+  entrances_.forget_answers();
+  for (const std::uint32_t k : contacts_.touching()) {
+    if (!sleep_.leaves_out(contacts_.neighbors().pairs()[k])) entrances_.ask_again(k);
+  }
+  const auto energy_of = [&](std::size_t k) {
+    typename ForcePass<D>::Evaluation evaluation = forces_.begin(0);
+    Contact<D> contact;
+    contacts_.describe(contacts_.neighbors().pairs()[k], contact);
+    load_pair(k, contact, evaluation);
+    return evaluation.energy.strain;
+  };
+  for (const auto& [k, face] : entrances_.answers()) {
+    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    ContactEnergy& energy = sums_[k / pairs_per_chunk].energy;
+    energy.strain -= energy_of(k);
+    pair.witness.pair = face;
+    const double released = contacts_.release_shear(k);
+    if (share_.counts(pair)) energy.friction_loss += released;
+    energy.strain += energy_of(k);
+    share_.note_entrance(pair);
+  }
 }
 
 /// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.

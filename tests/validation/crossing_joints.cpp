@@ -144,3 +144,90 @@ TEST_CASE("a wall of triangles that slides apart keeps its energy") {
     CHECK(std::abs(energy.residual) < 1e-2 * (energy.kinetic + energy.contact_damping_loss));
   }
 }
+
+/// A course of free bricks between walls, on bedrock. What slides over it has material 1, without friction.
+class Course {
+ public:
+  Course(int32_t kind, int bricks) : scene_(world_def(0), law_of(kind, 0.6), 2000) {
+    scene_.add_material(2000);
+    const hs_law_def smooth = law_of(kind, 0);
+    scene_.check(hs_world_set_law(scene_.world(), 0, 1, &smooth));
+    scene_.add(box(-1, -2, bricks + 1, -1), {HS_BLOCK_FIXED, {}, 0});
+    scene_.add(box(-1, -1, 0, -0.1), {HS_BLOCK_FIXED, {}, 0});
+    scene_.add(box(bricks, -1, bricks + 1, -0.1), {HS_BLOCK_FIXED, {}, 0});
+    for (int i = 0; i < bricks; ++i) course_.push_back(scene_.add(box(i, -1, i + 1, 0)));
+    run(0.15);
+  }
+
+  Scene& scene() { return scene_; }
+  const std::vector<hs_block>& course() const { return course_; }
+  void run(double duration) {
+    const double end = scene_.report().time + duration;
+    while (scene_.report().time < end) scene_.step(20);
+  }
+
+ private:
+  static hs_law_def law_of(int32_t kind, double friction) {
+    hs_law_def law = spring_law(1e9, std::atan(friction));
+    law.stiffness_kind = kind;
+    law.normal_damping = law.shear_damping = 0.3;
+    return law;
+  }
+
+  Scene scene_;
+  std::vector<hs_block> course_;
+};
+
+/// The brick ahead stands higher, since none loads it, and its side is pressed as little as it is crossed.
+TEST_CASE("bricks slide over a course of free bricks with the same joints") {
+  for (const int32_t kind : {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA}) {
+    INFO(name_of_stiffness(kind));
+    Course course(kind, 6);
+    std::vector<hs_block> bricks;
+    for (int i = 0; i < 3; ++i) bricks.push_back(course.scene().add(box(i, 0, i + 1, 1), {}, 1));
+    course.run(0.15);
+    constexpr double push = 5;
+    for (const hs_block brick : bricks)
+      course.scene().apply(brick, {push * course.scene().state(brick).mass, 0});
+    const double start = course.scene().report().time, place = course.scene().position(bricks[0]).x;
+    course.run(0.5);
+    const double expected = 0.5 * push * square_of(course.scene().report().time - start);
+    CHECK(course.scene().position(bricks[0]).x - place == Approx(expected).epsilon(1e-2));
+  }
+}
+
+/// The joint ahead is pressed much deeper than the slider is overlapped.
+TEST_CASE("a block slides over a joint that is pressed") {
+  for (const double press : {1.0, 1e5}) {
+    INFO(press << " N");
+    Course course(HS_STIFFNESS_PER_CONTACT, 2);
+    course.scene().apply(course.course()[1], {-press, 0});
+    const hs_block slider = course.scene().add(box(0.1, 0, 0.9, 0.5), {}, 1);
+    course.run(0.1);
+    course.scene().set_velocity(slider, {2, 0});
+    course.run(0.3);
+    CHECK(course.scene().velocity(slider).x == Approx(2).epsilon(1e-3));
+  }
+}
+
+/// Contacts that turn in a step carry by their new faces in the same step.
+TEST_CASE("contacts at corners are reported within Coulomb's law in each step") {
+  constexpr double friction = 0.2;
+  hs_law_def law = spring_law(1e9, std::atan(friction));
+  law.normal_damping = 0.3;
+  hs_world_def def = world_def(0);
+  def.gravity[0] = along;
+  Scene scene(def, law, 2500);
+  for (int i = -4; i < 8; ++i) scene.add(box(i, -1, i + 1, 0), {HS_BLOCK_FIXED, {}, 0});
+  for (int i = 0; i < 3; ++i) scene.add(box(i, 0, i + 1, 1));
+  for (int step = 0; step < 8000; ++step) {
+    scene.step();
+    for (const hs_contact& c : scene.contacts()) {
+      const double normal = c.force[0] * c.normal[0] + c.force[1] * c.normal[1];
+      const double shear = std::abs(c.force[0] * c.normal[1] - c.force[1] * c.normal[0]);
+      if (shear > friction * normal + 1e-3)
+        FAIL("step " << step << ": " << shear << " N on " << normal << " N");
+    }
+  }
+  SUCCEED();
+}

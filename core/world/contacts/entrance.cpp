@@ -22,6 +22,35 @@ constexpr double corner = 1e-2;
 /// Another face must leave this much less of an overlap, so that the answer does not swing.
 constexpr double clearly_less = 0.5;
 
+/// Nor may it leave a larger part of its own overlap, with this reserve.
+constexpr double larger_part = 1.1;
+
+/// A face carries where lifts leave at most this part of its overlap. Where supports deflect they leave more.
+constexpr double most_left = 0.1, most_left_on_supports = 0.6;
+
+/// A face has just been crossed when it is overlapped by less than this part of another.
+constexpr double just_crossed = 0.1;
+
+/// The gap along a face before and after a lift, negative in an overlap.
+struct Lifted {
+  double gap;
+  double left;
+};
+
+/// Does another face take the place of the cached one? When two blocks meet, the cached one is what a lift
+/// has shown, and the other one where they came in.
+bool replaces(const Lifted& other, const Lifted& own, bool has_met) {
+  const bool carries_on_supports = own.left > most_left_on_supports * own.gap;
+  if (has_met) {
+    if (carries_on_supports || other.left < -just_crossed * own.left) return false;
+  } else {
+    const bool is_crossed = other.gap > just_crossed * own.gap;
+    if (own.left > most_left * own.gap || (carries_on_supports && is_crossed)) return false;
+  }
+  const double left = std::min(other.left, 0.0);
+  return left > clearly_less * own.left && left * own.gap <= larger_part * own.left * other.gap;
+}
+
 template <int D, class Predicate>
 bool all_points(const Contact<D>& contact, Predicate predicate) {
   return std::all_of(contact.points, contact.points + contact.point_count, predicate);
@@ -98,11 +127,22 @@ typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, cons
   return is_another_way(pair) ? Way{pair, apart.gap} : Way{};
 }
 
+/// Was a face overlapped before the motion that has brought two blocks together? One that was not has just
+/// been crossed, and covers nothing.
+template <int D>
+bool Entrances<D>::was_overlapped(const Candidate<D>& met, PotentialPair<D> face, double made) const {
+  const Blocks<D>& blocks = model_.blocks;
+  const PlacedBlocks<D> at = blocks.placed(met.a, met.b);
+  const double gap = refresh(at.a, at.b, at.to_b, face);
+  const Vector<D> velocity = blocks.velocity[std::size_t(met.b)] - blocks.velocity[std::size_t(met.a)];
+  return gap - made * normal_of(at.a, at.b, face).dot(velocity) <= 0;
+}
+
 /// A long floor touches blocks that are far from the one that it meets. Of those that touch a fixed or
 /// prescribed block, only neighbours of the met one count: shares know no others.
 template <int D>
-typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
-                                                  std::span<const PairSums> found) const {
+typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met, std::span<const PairSums> found,
+                                                  double made) const {
   const NeighborList<D>& neighbors = contacts_.neighbors();
   Way best;
   for (const std::int32_t block : {met.a, met.b}) {
@@ -116,7 +156,7 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
       PlacedBlocks<D> at = model_.blocks.placed(met.a, met.b);
       at.to_b += depth * normal;
       const Way way = way_along(met, at, normal);
-      if (way.gap > best.gap) best = way;
+      if (way.gap > best.gap && was_overlapped(met, way.pair, made)) best = way;
     });
   }
   return best;
@@ -124,7 +164,7 @@ typename Entrances<D>::Way Entrances<D>::free_way(const Candidate<D>& met,
 
 /// Counts third blocks that touch both, and lifts both out of them: what presses on both alike tells nothing.
 /// Laws by overlap have no entry face. A face that is overlapped deeper than flush, and deeper than the
-/// cached one, is none either: its spring would make energy.
+/// cached one, is none either: its spring would make energy. `found` is empty for a cached contact.
 template <int D>
 std::optional<PotentialPair<D>> Entrances<D>::better_face(std::size_t k,
                                                           std::span<const PairSums> found) const {
@@ -163,18 +203,19 @@ std::optional<PotentialPair<D>> Entrances<D>::better_face(std::size_t k,
       if (way.gap > best.gap) best = way;
     });
   }
-  if (!(std::min(best.gap, 0.0) > clearly_less * left)) return {};
-  const double deepest = std::min(contact.gap, -flush * smaller_radius(pair));
-  if (refresh(placed.a, placed.b, placed.to_b, best.pair) < deepest) return {};
+  if (!(best.gap > -HUGE_VAL)) return {};
+  const double before = refresh(placed.a, placed.b, placed.to_b, best.pair);
+  if (!replaces({before, best.gap}, {contact.gap, left}, !found.empty())) return {};
+  if (before < std::min(contact.gap, -flush * smaller_radius(pair))) return {};
   return best.pair;
 }
 
 template <int D>
-bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found) {
+bool Entrances<D>::find(std::size_t k, std::span<const PairSums> found, double made) {
   contacts_.neighbors().index_pairs();
   Candidate<D>& met = contacts_.neighbors().pairs()[k];
   if (met.bonded) return false;
-  const Way way = free_way(met, found);
+  const Way way = free_way(met, found, made);
   if (!(way.gap > -HUGE_VAL)) return false;
   const PotentialPair<D> entry = std::exchange(met.witness.pair, way.pair);
   if (!better_face(k, found)) return true;

@@ -25,8 +25,9 @@ class Entrances {
       : model_(model), contacts_(contacts), answers_(memory) {}
 
   /// Caches the entry face of a pair that has met, if other contacts of its blocks decide it. Returns whether
-  /// they do. `found`: the sums of all chunks of pairs, after detection.
-  bool find(std::size_t k, std::span<const PairSums> found);
+  /// they do. `found`: the sums of all chunks of pairs, after detection. `made`: the duration of the motion
+  /// that has brought them together, s, or 0.
+  bool find(std::size_t k, std::span<const PairSums> found, double made);
   /// Steps between two questions about contacts at corners: less than a period of springs.
   static constexpr std::int64_t steps_between = 16;
   /// The entry face of a pair, where the contacts of both blocks with a third show another than the cached
@@ -55,7 +56,8 @@ class Entrances {
     Vector<D> normal;
     double depth;
   };
-  Way free_way(const Candidate<D>& met, std::span<const PairSums> found) const;
+  Way free_way(const Candidate<D>& met, std::span<const PairSums> found, double made) const;
+  bool was_overlapped(const Candidate<D>& met, PotentialPair<D> face, double made) const;
   bool does_touch(std::size_t k, std::span<const PairSums> found) const;
   std::optional<PotentialPair<D>> better_face(std::size_t k, std::span<const PairSums> found) const;
   Lift lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
