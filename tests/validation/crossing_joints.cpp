@@ -10,6 +10,11 @@ using namespace halfspace_test;
 
 constexpr double along = 3, down = -9.81;
 
+void run_scene(Scene& scene, double duration) {
+  const double end = scene.report().time + duration;
+  while (scene.report().time < end) scene.step(20);
+}
+
 /// Two rows of bricks, the lower one fixed. Each joint between bricks is straight through both rows.
 class Rows {
  public:
@@ -21,10 +26,7 @@ class Rows {
   }
 
   void remove_stop() { scene_.check(hs_world_remove_block(scene_.world(), stop_)); }
-  void run(double duration) {
-    const double end = scene_.report().time + duration;
-    while (scene_.report().time < end) scene_.step(20);
-  }
+  void run(double duration) { run_scene(scene_, duration); }
   double time() const { return scene_.report().time; }
   /// The row also spreads, as its joints open.
   double mean_place() const {
@@ -84,6 +86,36 @@ void slide(int dimension) {
   }
 }
 
+/// A course of free bricks between walls, on bedrock. What slides over it has material 1, without friction.
+class Course {
+ public:
+  Course(int32_t kind, int bricks) : scene_(world_def(0), law_of(kind, 0.6), 2000) {
+    scene_.add_material(2000);
+    const hs_law_def smooth = law_of(kind, 0);
+    scene_.check(hs_world_set_law(scene_.world(), 0, 1, &smooth));
+    scene_.add(box(-1, -2, bricks + 1, -1), {HS_BLOCK_FIXED, {}, 0});
+    scene_.add(box(-1, -1, 0, -0.1), {HS_BLOCK_FIXED, {}, 0});
+    scene_.add(box(bricks, -1, bricks + 1, -0.1), {HS_BLOCK_FIXED, {}, 0});
+    for (int i = 0; i < bricks; ++i) course_.push_back(scene_.add(box(i, -1, i + 1, 0)));
+    run(0.15);
+  }
+
+  Scene& scene() { return scene_; }
+  const std::vector<hs_block>& course() const { return course_; }
+  void run(double duration) { run_scene(scene_, duration); }
+
+ private:
+  static hs_law_def law_of(int32_t kind, double friction) {
+    hs_law_def law = spring_law(1e9, std::atan(friction));
+    law.stiffness_kind = kind;
+    law.normal_damping = law.shear_damping = 0.3;
+    return law;
+  }
+
+  Scene scene_;
+  std::vector<hs_block> course_;
+};
+
 }  // namespace
 
 TEST_CASE("a row of blocks slides over a row cut by the same joints in the plane") { slide(2); }
@@ -127,7 +159,8 @@ TEST_CASE("a wall of triangles that slides apart keeps its energy") {
     scene.add(box(-1, -1, width + 3, 0), {HS_BLOCK_FIXED, {}, 0});
     scene.add(box(width, 0, width + 1, height), {HS_BLOCK_FIXED, {}, 0});
     const auto node = [&](int i, int j) {
-      const bool is_inner_x = i > 0 && i<width, is_inner_y = j> 0 && j < height;
+      const bool is_inner_x = i > 0 && i < width;
+      const bool is_inner_y = j > 0 && j < height;
       return Point{i + (is_inner_x ? jitter * std::sin(3 * i + 5 * j) : 0),
                    j + (is_inner_y ? jitter * std::cos(4 * i + 2 * j) : 0)};
     };
@@ -144,39 +177,6 @@ TEST_CASE("a wall of triangles that slides apart keeps its energy") {
     CHECK(std::abs(energy.residual) < 1e-2 * (energy.kinetic + energy.contact_damping_loss));
   }
 }
-
-/// A course of free bricks between walls, on bedrock. What slides over it has material 1, without friction.
-class Course {
- public:
-  Course(int32_t kind, int bricks) : scene_(world_def(0), law_of(kind, 0.6), 2000) {
-    scene_.add_material(2000);
-    const hs_law_def smooth = law_of(kind, 0);
-    scene_.check(hs_world_set_law(scene_.world(), 0, 1, &smooth));
-    scene_.add(box(-1, -2, bricks + 1, -1), {HS_BLOCK_FIXED, {}, 0});
-    scene_.add(box(-1, -1, 0, -0.1), {HS_BLOCK_FIXED, {}, 0});
-    scene_.add(box(bricks, -1, bricks + 1, -0.1), {HS_BLOCK_FIXED, {}, 0});
-    for (int i = 0; i < bricks; ++i) course_.push_back(scene_.add(box(i, -1, i + 1, 0)));
-    run(0.15);
-  }
-
-  Scene& scene() { return scene_; }
-  const std::vector<hs_block>& course() const { return course_; }
-  void run(double duration) {
-    const double end = scene_.report().time + duration;
-    while (scene_.report().time < end) scene_.step(20);
-  }
-
- private:
-  static hs_law_def law_of(int32_t kind, double friction) {
-    hs_law_def law = spring_law(1e9, std::atan(friction));
-    law.stiffness_kind = kind;
-    law.normal_damping = law.shear_damping = 0.3;
-    return law;
-  }
-
-  Scene scene_;
-  std::vector<hs_block> course_;
-};
 
 /// The brick ahead stands higher, since none loads it, and its side is pressed as little as it is crossed.
 TEST_CASE("bricks slide over a course of free bricks with the same joints") {
