@@ -1,6 +1,7 @@
 """The page of a run in a browser: it plays, picks and colours, and its pixels show what the scene must show."""
 import math
 import pathlib
+import socket
 import subprocess
 import sys
 import tempfile
@@ -395,6 +396,15 @@ class Terrain(SpaceTest):
         self.assertIn("box", self.browser.element("inspector").text)
 
 
+def check_localhost():
+    """Selenium reaches its driver by this name. Without an address it would only say that the driver did not start."""
+    try:
+        socket.getaddrinfo("localhost", None)
+    except socket.gaierror as error:
+        sys.exit(f"The name localhost has no address ({error}): /etc/hosts needs the line '127.0.0.1 localhost'.")
+
+
 if __name__ == "__main__":
+    check_localhost()
     with Browser() as ViewerTest.browser:
         unittest.main(argv=sys.argv[:1])
