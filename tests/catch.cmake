@@ -1,4 +1,4 @@
-find_package(Catch2 REQUIRED)
+halfspace_find(Catch2)
 include(Catch)
 
 # Catch2 3 brings its own main. For version 2 it is built here, with the standard that the tests are built

@@ -1,34 +1,131 @@
-# Optional parts are built where what they need works. A library or compiler that is absent, half installed or broken is
-# left out, and never ends the configuration: it is tried in a project of its own, whose errors stay there.
+# Optional parts are built where what they need works. A library, compiler or program that is absent, half installed or
+# broken is left out with one line that names its Debian package, and never ends the configuration: it is tried in a
+# process of its own, whose errors stay there. parts.cmake lists the parts and what they need.
 
-# halfspace_works(variable WHAT name PACKAGE package FIND code LINK libraries... HEADER header): sets the variable in the
-# cache once a program that includes the header and links the libraries, after the code has found them, is built; until
-# then it is tried again in each configuration. Says in one line what is left out, and the Debian package that brings it.
-function(halfspace_works variable)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WHAT;PACKAGE;FIND;HEADER" "LINK")
-  if(${variable})
+# halfspace_dependency(name PACKAGE package [RUN command...] [FIND code] [LINK libraries...] [SOURCE program]): what
+# parts can need. It works if the command succeeds, and the program can be built with the libraries after the code has
+# found them.
+function(halfspace_dependency name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PACKAGE;FIND;SOURCE" "RUN;LINK")
+  foreach(property PACKAGE FIND SOURCE RUN LINK)
+    set_property(GLOBAL PROPERTY halfspace_${property}_${name} "${arg_${property}}")
+  endforeach()
+endfunction()
+
+# halfspace_find(name): runs the code that finds the dependency, in the scope of the caller.
+macro(halfspace_find name)
+  get_property(halfspace_find_code GLOBAL PROPERTY halfspace_FIND_${name})
+  cmake_language(EVAL CODE "${halfspace_find_code}")
+endmacro()
+
+# Builds a program with the dependency in a project of its own, which knows the compilers and places of this one.
+function(halfspace_build_probe name folder fault_variable log_variable)
+  foreach(property FIND SOURCE LINK)
+    get_property(${property} GLOBAL PROPERTY halfspace_${property}_${name})
+  endforeach()
+  if(NOT FIND)
+    set(${fault_variable} 0 PARENT_SCOPE)
     return()
   endif()
-  set(folder ${CMAKE_BINARY_DIR}/probes/${variable})
   file(REMOVE_RECURSE ${folder})
-  file(WRITE ${folder}/source/find.cmake "${arg_FIND}\nset(link ${arg_LINK})\n")
-  file(WRITE ${folder}/source/probe.cpp "#include <${arg_HEADER}>\nint main() {}\n")
-  configure_file(${PROJECT_SOURCE_DIR}/capi/cmake/probe/CMakeLists.txt ${folder}/source/CMakeLists.txt COPYONLY)
-  # A process of its own: an error inside of try_compile() would end this configuration.
+  string(JOIN " " LINK ${LINK})
+  file(WRITE ${folder}/find.cmake "${FIND}\nset(link ${LINK})\n")
+  file(WRITE ${folder}/probe.cpp "${SOURCE}\n")
+  configure_file(${PROJECT_SOURCE_DIR}/capi/cmake/probe/CMakeLists.txt ${folder}/CMakeLists.txt COPYONLY)
+  file(COPY ${CMAKE_PLATFORM_INFO_DIR} DESTINATION ${folder}/build/CMakeFiles)
+
+  set(known "")
+  get_cmake_property(variables CACHE_VARIABLES)
+  list(FILTER variables INCLUDE REGEX "_(DIR|ROOT)$|^CMAKE_(MAKE_PROGRAM|PREFIX_PATH|TOOLCHAIN_FILE|C_FLAGS|CXX_FLAGS)$")
+  list(FILTER variables EXCLUDE REGEX "_(SOURCE|BINARY)_DIR$|^CMAKE_.*_DIR$")
+  foreach(variable IN LISTS variables)
+    if(${variable})
+      string(APPEND known "set(${variable} [[${${variable}}]] CACHE STRING \"\")\n")
+    endif()
+  endforeach()
+  file(WRITE ${folder}/known.cmake "${known}")
+
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -S ${folder}/source -B ${folder}/build -G ${CMAKE_GENERATOR}
-      -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_C_FLAGS=${CMAKE_C_FLAGS} -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
-      "-DCMAKE_PREFIX_PATH=${CMAKE_PREFIX_PATH}" "-DCMAKE_TOOLCHAIN_FILE=${CMAKE_TOOLCHAIN_FILE}"
-    RESULT_VARIABLE fault OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    COMMAND ${CMAKE_COMMAND} -C ${folder}/known.cmake -S ${folder} -B ${folder}/build -G ${CMAKE_GENERATOR}
+    RESULT_VARIABLE fault OUTPUT_VARIABLE log ERROR_VARIABLE log)
   if(fault EQUAL 0)
     execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder}/build
-      RESULT_VARIABLE fault OUTPUT_VARIABLE built ERROR_VARIABLE built)
+      RESULT_VARIABLE fault OUTPUT_VARIABLE log ERROR_VARIABLE log)
   endif()
-  file(WRITE ${folder}/log.txt "${output}${built}")
+  set(${fault_variable} "${fault}" PARENT_SCOPE)
+  set(${log_variable} "${log}" PARENT_SCOPE)
+endfunction()
+
+# halfspace_works(name): sets HALFSPACE_name_WORKS in the cache once the dependency works; until then each configuration
+# tries it again, so that it is found as soon as it is installed.
+function(halfspace_works name)
+  if(HALFSPACE_${name}_WORKS)
+    return()
+  endif()
+  set(folder ${PROJECT_BINARY_DIR}/probes/${name})
+  get_property(run GLOBAL PROPERTY halfspace_RUN_${name})
+  set(fault 0)
+  set(log "")
+  if(run)
+    execute_process(COMMAND ${run} TIMEOUT 60 RESULT_VARIABLE fault OUTPUT_VARIABLE log ERROR_VARIABLE log)
+  endif()
   if(fault EQUAL 0)
-    set(${variable} TRUE CACHE INTERNAL "")
-  else()
-    message(STATUS "Left out: ${arg_WHAT} (Debian: ${arg_PACKAGE}); ${folder}/log.txt says why")
+    halfspace_build_probe(${name} ${folder} fault log)
   endif()
+  if(fault EQUAL 0)
+    set(HALFSPACE_${name}_WORKS TRUE CACHE INTERNAL "")
+  else()
+    file(WRITE ${folder}.log "${run}\n${fault}\n${log}")
+  endif()
+endfunction()
+
+# halfspace_leave_out(what name...): says in one line what is left out, and which packages bring what it needs.
+function(halfspace_leave_out what)
+  set(packages "")
+  set(logs "")
+  foreach(name IN LISTS ARGN)
+    get_property(package GLOBAL PROPERTY halfspace_PACKAGE_${name})
+    list(APPEND packages ${package})
+    list(APPEND logs probes/${name}.log)
+  endforeach()
+  list(REMOVE_DUPLICATES packages)
+  list(JOIN ARGN ", " names)
+  list(JOIN packages " " packages)
+  list(JOIN logs ", " logs)
+  message(STATUS "Left out: ${what}, without ${names} (Debian: ${packages}); why: ${logs}")
+  file(APPEND ${PROJECT_BINARY_DIR}/left_out.txt "${what}: ${packages}\n")
+endfunction()
+
+# halfspace_where_works(variable what name...): sets the variable to ON if all dependencies work; else it is OFF, and
+# what is left out is said.
+function(halfspace_where_works variable what)
+  set(missing "")
+  foreach(name IN LISTS ARGN)
+    halfspace_works(${name})
+    if(NOT HALFSPACE_${name}_WORKS)
+      list(APPEND missing ${name})
+    endif()
+  endforeach()
+  if(missing)
+    halfspace_leave_out("${what}" ${missing})
+    set(${variable} OFF PARENT_SCOPE)
+  else()
+    set(${variable} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+# halfspace_part(option at_first what name...): an option that is AUTO, OFF or ON, by default at_first. AUTO is ON where all
+# dependencies work. ON by the user ends the configuration where one does not. The option is ON or OFF afterwards.
+function(halfspace_part option at_first what)
+  set(${option} ${at_first} CACHE STRING "Build ${what}: ON, OFF, or AUTO, which is ON where all that it needs works")
+  set(wanted ${${option}})
+  if(NOT wanted)
+    set(${option} OFF PARENT_SCOPE)
+    return()
+  endif()
+  halfspace_where_works(works "${what}" ${ARGN})
+  if(NOT works AND NOT wanted STREQUAL AUTO)
+    message(FATAL_ERROR "${option} is ${wanted}, and what it needs does not work. AUTO leaves it out.")
+  endif()
+  set(${option} ${works} PARENT_SCOPE)
 endfunction()

@@ -60,6 +60,8 @@ const char* fault_text(Fault fault) {
       return "have no point in common, or a region flat to rounding";
     case Fault::beyond_tolerance:
       return "has a dent deeper than the tolerance";
+    case Fault::hull_unavailable:
+      return "needs a hull, which this build cannot compute: it was built without Qhull";
   }
   return "is faulty";
 }

@@ -39,6 +39,8 @@ enum class Fault : std::int32_t {
   no_common_point = 26,
   // Facets to be fitted within a tolerance.
   beyond_tolerance = 27,
+  // A build without Qhull.
+  hull_unavailable = 28,
 };
 
 /// The fault as text, e.g. "is on the line of its neighbours".

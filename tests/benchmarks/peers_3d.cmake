@@ -1,12 +1,10 @@
 # The polyhedra and the other engines that the 3D oracle and the 3D benchmark share. Either folder may be
 # built without the other; the one that comes first makes the libraries.
-find_package(CGAL REQUIRED)
+halfspace_find(CGAL)
 find_package(Eigen3 REQUIRED CONFIG)  # CGAL brings a module of that name, which has no target
-find_package(ccd REQUIRED)
-find_package(fcl REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
-pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
+foreach(name FCL Bullet ODE)
+  halfspace_find(${name})
+endforeach()
 
 if(TARGET peers_3d)
   return()
@@ -27,4 +25,4 @@ add_library(peers_3d STATIC
   ${tests}/benchmarks/stepped_pairs_3d.cpp)
 target_link_libraries(peers_3d
   PUBLIC polyhedra_3d
-  PRIVATE halfspace_core ccd fcl PkgConfig::bullet PkgConfig::ode Eigen3::Eigen)
+  PRIVATE halfspace_core ccd fcl PkgConfig::bullet_double PkgConfig::ode Eigen3::Eigen)

@@ -50,6 +50,8 @@ PolyhedronFault find_hull(std::span<const Vector<3>> points, Polyhedron& hull) {
       return {Fault::zero_volume, -1, -1};
     case QuickhullResult::failed:
       return {Fault::hull_failed, -1, -1};
+    case QuickhullResult::unavailable:
+      return {Fault::hull_unavailable, -1, -1};
   }
   hull.normals.resize(std::size_t(hull.face_count()));  // computed with the faces
   drop_degenerate(hull);                                // merging facets may leave a vertex inside an edge
