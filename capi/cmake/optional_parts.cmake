@@ -36,7 +36,8 @@ function(halfspace_build_probe name folder fault_variable log_variable)
 
   set(known "")
   get_cmake_property(variables CACHE_VARIABLES)
-  list(FILTER variables INCLUDE REGEX "_(DIR|ROOT)$|^CMAKE_(MAKE_PROGRAM|PREFIX_PATH|TOOLCHAIN_FILE|C_FLAGS|CXX_FLAGS)$")
+  list(FILTER variables INCLUDE REGEX
+    "_(DIR|ROOT)$|^CMAKE_(MAKE_PROGRAM|PREFIX_PATH|TOOLCHAIN_FILE|C_FLAGS|CXX_FLAGS)$")
   list(FILTER variables EXCLUDE REGEX "_(SOURCE|BINARY)_DIR$|^CMAKE_.*_DIR$")
   foreach(variable IN LISTS variables)
     if(${variable})
@@ -114,8 +115,8 @@ function(halfspace_where_works variable what)
   endif()
 endfunction()
 
-# halfspace_part(option at_first what name...): an option that is AUTO, OFF or ON, by default at_first. AUTO is ON where all
-# dependencies work. ON by the user ends the configuration where one does not. The option is ON or OFF afterwards.
+# halfspace_part(option at_first what name...): an option that is AUTO, OFF or ON, by default at_first. AUTO is ON where
+# all dependencies work. ON by the user ends the configuration where one does not. The option is ON or OFF afterwards.
 function(halfspace_part option at_first what)
   set(${option} ${at_first} CACHE STRING "Build ${what}: ON, OFF, or AUTO, which is ON where all that it needs works")
   set(wanted ${${option}})

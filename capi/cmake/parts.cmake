@@ -26,7 +26,8 @@ halfspace_dependency(Voro++ PACKAGE voro++-dev FIND [[
 find_path(VORO_INCLUDE_DIR voro++/voro++.hh REQUIRED)
 find_library(VORO_LIBRARY voro++ REQUIRED)]] LINK [[${VORO_LIBRARY}]] SOURCE [[#include <voro++/voro++.hh>
 int main() { voro::voronoicell().init(-1, 1, -1, 1, -1, 1); }]])
-halfspace_dependency(zlib PACKAGE zlib1g-dev FIND "find_package(ZLIB REQUIRED)" LINK ZLIB::ZLIB SOURCE [[#include <zlib.h>
+halfspace_dependency(zlib PACKAGE zlib1g-dev FIND "find_package(ZLIB REQUIRED)" LINK ZLIB::ZLIB
+  SOURCE [[#include <zlib.h>
 int main() { zlibVersion(); }]])
 halfspace_dependency(three.js PACKAGE libjs-three)
 
@@ -61,7 +62,8 @@ find_library(ZOLTAN_LIBRARY trilinos_zoltan REQUIRED)
 find_package(MPI REQUIRED COMPONENTS CXX)
 include_directories(SYSTEM ${ZOLTAN_INCLUDE_DIR})]] LINK MPI::MPI_CXX [[${ZOLTAN_LIBRARY}]] SOURCE [[#include <zoltan.h>
 int main() { Zoltan_Initialize(0, nullptr, nullptr); }]])
-halfspace_dependency(Doxygen PACKAGE doxygen RUN doxygen --version FIND "find_package(Doxygen REQUIRED)" SOURCE "int main() {}")
+halfspace_dependency(Doxygen PACKAGE doxygen RUN doxygen --version FIND "find_package(Doxygen REQUIRED)"
+  SOURCE "int main() {}")
 
 # ---- what tests and benchmarks need ----
 halfspace_dependency(Catch2 PACKAGE catch2 FIND "find_package(Catch2 REQUIRED)" LINK Catch2::Catch2 SOURCE [[
@@ -128,7 +130,8 @@ halfspace_part(HALFSPACE_BUILD_CLI ${at_first} "the halfspace command" CLI11 tom
 halfspace_part(HALFSPACE_BUILD_FORTRAN ${fortran_at_first} "the Fortran modules" Fortran)
 halfspace_part(HALFSPACE_BUILD_PYTHON ${at_first} "the Python package and its wheel" Python)
 halfspace_part(HALFSPACE_BUILD_RUST ${at_first} "the Rust crates" Cargo)
-halfspace_part(HALFSPACE_BUILD_LAMMPS ${hosts_at_first} "lmp_halfspace, which is lmp with fix halfspace (GPL 2)" MPI LAMMPS)
+halfspace_part(HALFSPACE_BUILD_LAMMPS ${hosts_at_first} "lmp_halfspace, which is lmp with fix halfspace (GPL 2)"
+  MPI LAMMPS)
 halfspace_part(HALFSPACE_BUILD_BOX2D ${at_first} "the half-space narrow phase in Box2D worlds" Box2D)
 halfspace_part(HALFSPACE_BUILD_DOCS ${at_first} "the API reference, target docs" Doxygen Python)
 halfspace_part(HALFSPACE_BUILD_TESTS ${at_first} "the tests" Catch2 Python pkg-config)
@@ -137,17 +140,18 @@ halfspace_part(HALFSPACE_BUILD_BENCHMARKS ${at_first} "the benchmarks"
 
 if(HALFSPACE_BUILD_TESTS)
   if(HALFSPACE_BUILD_DOCS)
-    halfspace_part(HALFSPACE_BUILD_SHARES_MPI ${hosts_at_first} "the example that spreads a world over processes" MPI Zoltan)
+    halfspace_part(HALFSPACE_BUILD_SHARES_MPI ${hosts_at_first} "the example that spreads a world over processes"
+      MPI Zoltan)
   endif()
   halfspace_where_works(HALFSPACE_TEST_BINDINGS_API "tests of the C interface as data" python3-clang Rust gfortran)
-  halfspace_where_works(HALFSPACE_TEST_INSTALLED "tests of the installed tree" file)
   if(HALFSPACE_BUILD_CLI)
     halfspace_where_works(HALFSPACE_TEST_COMMAND "tests of the command" python3-numpy python3-vtk9)
     halfspace_where_works(HALFSPACE_TEST_VIEWER "tests of the viewer in a browser"
       three.js Chromium ChromeDriver python3-selenium python3-numpy)
   endif()
   if(HALFSPACE_BUILD_PYTHON)
-    halfspace_where_works(HALFSPACE_TEST_PYTHON "tests of the Python package" python3-numpy python3-pytest python3-matplotlib)
+    halfspace_where_works(HALFSPACE_TEST_PYTHON "tests of the Python package"
+      python3-numpy python3-pytest python3-matplotlib)
   endif()
   if(HALFSPACE_BUILD_RUST)
     halfspace_where_works(HALFSPACE_TEST_RUST "tests of the Rust crates" Rust)
@@ -160,6 +164,6 @@ if(HALFSPACE_BUILD_TESTS)
   if(HALFSPACE_TEST_SLOW)
     halfspace_where_works(HALFSPACE_TEST_ABI "the test of the binary interface" abidiff)
     halfspace_where_works(HALFSPACE_TEST_OLD_PROCESSOR "the test on an old processor" qemu)
-    halfspace_where_works(HALFSPACE_TEST_PACKAGES "the test of Debian packages" dpkg-deb)
+    halfspace_where_works(HALFSPACE_TEST_PACKAGES "the test of Debian packages" dpkg-deb file)
   endif()
 endif()
