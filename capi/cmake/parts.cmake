@@ -110,6 +110,7 @@ halfspace_dependency(file PACKAGE file RUN file --version)
 halfspace_dependency(abidiff PACKAGE abigail-tools RUN abidiff --version)
 halfspace_dependency(qemu PACKAGE qemu-user RUN qemu-x86_64 --version)
 halfspace_dependency(dpkg-deb PACKAGE dpkg RUN dpkg-deb --version)
+halfspace_dependency(valgrind PACKAGE valgrind RUN valgrind --version)
 halfspace_dependency(ccache PACKAGE ccache RUN ccache --version)
 
 # ---- the parts ----
@@ -144,6 +145,7 @@ if(HALFSPACE_BUILD_TESTS)
       MPI Zoltan)
   endif()
   halfspace_where_works(HALFSPACE_TEST_BINDINGS_API "tests of the C interface as data" python3-clang Rust gfortran)
+  halfspace_where_works(HALFSPACE_TEST_INSTRUCTIONS "the test of counting instructions" valgrind)
   if(HALFSPACE_BUILD_CLI)
     halfspace_where_works(HALFSPACE_TEST_COMMAND "tests of the command" python3-numpy python3-vtk9)
     halfspace_where_works(HALFSPACE_TEST_VIEWER "tests of the viewer in a browser"
