@@ -7,7 +7,11 @@ file(WRITE ${PROJECT_BINARY_DIR}/left_out.txt "")
 find_program(SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(SYSTEM_GFORTRAN gfortran PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(HALFSPACE_CARGO cargo HINTS /usr/bin)
-cmake_path(GET HALFSPACE_CARGO PARENT_PATH cargo_folder)
+if(HALFSPACE_CARGO)
+  cmake_path(GET HALFSPACE_CARGO PARENT_PATH cargo_folder)
+else()
+  set(cargo_folder /usr/bin)
+endif()
 set(probe_folder ${PROJECT_SOURCE_DIR}/capi/cmake/probe)
 
 # ---- what the command needs ----
@@ -29,7 +33,11 @@ int main() { voro::voronoicell().init(-1, 1, -1, 1, -1, 1); }]])
 halfspace_dependency(zlib PACKAGE zlib1g-dev FIND "find_package(ZLIB REQUIRED)" LINK ZLIB::ZLIB
   SOURCE [[#include <zlib.h>
 int main() { zlibVersion(); }]])
-halfspace_dependency(three.js PACKAGE libjs-three)
+# Debian has it as libjs-three, other systems as the package `three` of npm.
+find_file(HALFSPACE_THREE_JS three.min.js
+  PATHS /usr/share/javascript/three /usr/share/nodejs/three/build NO_DEFAULT_PATH
+  DOC "three.js, which the viewer's page contains")
+halfspace_dependency(three.js PACKAGE libjs-three RUN ${CMAKE_COMMAND} -E md5sum ${HALFSPACE_THREE_JS})
 
 # ---- what core, languages, hosts and pages need ----
 halfspace_dependency(Qhull PACKAGE libqhull-dev FIND [[
@@ -95,15 +103,19 @@ pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)]] LINK PkgConfig::ode SOURCE
 int main() { dInitODE(); }]])
 # A folder that is left empty can still be imported; what is in it cannot.
 foreach(module numpy/numpy.random matplotlib/matplotlib.pyplot vtk9/vtkmodules.vtkIOXML selenium/selenium.webdriver
-        pytest/pytest.__main__ clang/clang.cindex)
+        pytest/pytest.__main__ build/build.__main__ setuptools/setuptools.build_meta wheel/wheel.bdist_wheel
+        venv/ensurepip)
   cmake_path(GET module PARENT_PATH name)
   cmake_path(GET module FILENAME module)
   halfspace_dependency(python3-${name} PACKAGE python3-${name} RUN ${SYSTEM_PYTHON} -c "import ${module}")
 endforeach()
+halfspace_dependency(python3-clang PACKAGE python3-clang RUN ${SYSTEM_PYTHON} -c
+  "import clang.cindex; clang.cindex.Index.create()")
+halfspace_dependency(rustdoc PACKAGE rustc RUN ${cargo_folder}/rustdoc --version)
 halfspace_dependency(Rust PACKAGE rustc RUN ${cargo_folder}/rustc --crate-type=lib --emit=metadata
   -o ${PROJECT_BINARY_DIR}/probes/rust.rmeta ${probe_folder}/probe.rs)
 halfspace_dependency(gfortran PACKAGE gfortran RUN ${SYSTEM_GFORTRAN} -fsyntax-only ${probe_folder}/probe.f90)
-halfspace_dependency(Clippy PACKAGE rust-clippy RUN ${cargo_folder}/cargo-clippy --version)
+halfspace_dependency(Clippy PACKAGE rust-clippy RUN ${cargo_folder}/clippy-driver --version)
 halfspace_dependency(Chromium PACKAGE chromium RUN chromium --version)
 halfspace_dependency(ChromeDriver PACKAGE chromium-driver RUN chromedriver --version)
 halfspace_dependency(file PACKAGE file RUN file --version)
@@ -127,6 +139,11 @@ if(CMAKE_C_FLAGS MATCHES "fsanitize")
   set(hosts_at_first OFF)
 endif()
 
+include(core/qhull.cmake)
+set(hulls "")  # which tests and benchmarks need
+if(halfspace_without_qhull)
+  set(hulls Qhull)
+endif()
 halfspace_part(HALFSPACE_BUILD_CLI ${at_first} "the halfspace command" CLI11 toml++ libpng muParser Voro++ zlib)
 halfspace_part(HALFSPACE_BUILD_FORTRAN ${fortran_at_first} "the Fortran modules" Fortran)
 halfspace_part(HALFSPACE_BUILD_PYTHON ${at_first} "the Python package and its wheel" Python)
@@ -135,9 +152,9 @@ halfspace_part(HALFSPACE_BUILD_LAMMPS ${hosts_at_first} "lmp_halfspace, which is
   MPI LAMMPS)
 halfspace_part(HALFSPACE_BUILD_BOX2D ${at_first} "the half-space narrow phase in Box2D worlds" Box2D)
 halfspace_part(HALFSPACE_BUILD_DOCS ${at_first} "the API reference, target docs" Doxygen Python)
-halfspace_part(HALFSPACE_BUILD_TESTS ${at_first} "the tests" Catch2 Python pkg-config)
+halfspace_part(HALFSPACE_BUILD_TESTS ${at_first} "the tests" Catch2 Python pkg-config ${hulls})
 halfspace_part(HALFSPACE_BUILD_BENCHMARKS ${at_first} "the benchmarks"
-  Box2D CGAL libccd FCL Bullet ODE Python python3-numpy python3-matplotlib)
+  Box2D CGAL libccd FCL pkg-config Bullet ODE Python python3-numpy python3-matplotlib ${hulls})
 
 if(HALFSPACE_BUILD_TESTS)
   if(HALFSPACE_BUILD_DOCS)
@@ -147,21 +164,23 @@ if(HALFSPACE_BUILD_TESTS)
   halfspace_where_works(HALFSPACE_TEST_BINDINGS_API "tests of the C interface as data" python3-clang Rust gfortran)
   halfspace_where_works(HALFSPACE_TEST_INSTRUCTIONS "the test of counting instructions" valgrind)
   if(HALFSPACE_BUILD_CLI)
-    halfspace_where_works(HALFSPACE_TEST_COMMAND "tests of the command" python3-numpy python3-vtk9)
+    halfspace_where_works(HALFSPACE_TEST_COMMAND "tests of the command" python3-numpy python3-vtk9 three.js)
     halfspace_where_works(HALFSPACE_TEST_VIEWER "tests of the viewer in a browser"
-      three.js Chromium ChromeDriver python3-selenium python3-numpy)
+      three.js Chromium ChromeDriver python3-selenium python3-numpy python3-matplotlib python3-vtk9)
   endif()
   if(HALFSPACE_BUILD_PYTHON)
     halfspace_where_works(HALFSPACE_TEST_PYTHON "tests of the Python package"
-      python3-numpy python3-pytest python3-matplotlib)
+      python3-numpy python3-pytest python3-matplotlib three.js)
+    halfspace_where_works(HALFSPACE_TEST_WHEEL "the test of the wheel"
+      python3-build python3-setuptools python3-wheel python3-venv)
   endif()
   if(HALFSPACE_BUILD_RUST)
-    halfspace_where_works(HALFSPACE_TEST_RUST "tests of the Rust crates" Rust)
+    halfspace_where_works(HALFSPACE_TEST_RUST "tests of the Rust crates" Rust rustdoc)
     halfspace_where_works(HALFSPACE_TEST_CLIPPY "the test by clippy of the Rust crates" Clippy)
   endif()
   if(HALFSPACE_TEST_RESULTS)
     halfspace_where_works(HALFSPACE_TEST_EXACT "tests against exact arithmetic" CGAL)
-    halfspace_where_works(HALFSPACE_TEST_PEERS "tests beside other engines" CGAL libccd FCL Bullet ODE)
+    halfspace_where_works(HALFSPACE_TEST_PEERS "tests beside other engines" CGAL libccd FCL pkg-config Bullet ODE)
   endif()
   if(HALFSPACE_TEST_SLOW)
     halfspace_where_works(HALFSPACE_TEST_ABI "the test of the binary interface" abidiff)

@@ -78,8 +78,8 @@ void settle(const CountedScene& scene, const char* path, long give_up_after) {
   do {
     require_ok(hs_world_step(world.get(), scene.wait), context.get());
     report = report_of(world, context.get());
-  } while (report.largest_speed > scene.rest && report.steps < give_up_after);
-  if (report.largest_speed > scene.rest) throw std::runtime_error(not_settled(scene, report));
+  } while (!(report.largest_speed <= scene.rest) && report.steps < give_up_after);
+  if (!(report.largest_speed <= scene.rest)) throw std::runtime_error(not_settled(scene, report));
   std::size_t size = 0;
   (void)hs_world_save(world.get(), nullptr, 0, &size);  // which tells how many bytes there are
   std::vector<char> bytes(size);

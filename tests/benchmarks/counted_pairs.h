@@ -16,8 +16,6 @@ class CountedPairs {
   /// Moves all by a thousandth of their size, to and fro, and detects their contacts.
   void detect();
 
-  int size() const { return int(pairs_.size()); }
-
  private:
   struct Pair {
     halfspace_test::Shape a, b;

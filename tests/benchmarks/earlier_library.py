@@ -7,7 +7,7 @@ ROOT = HERE.parent.parent
 LAST_RELEASE = (HERE / 'last_release').read_text().strip()
 ONLY_THE_LIBRARY = ['-DCMAKE_BUILD_TYPE=Release'] + [
     f'-DHALFSPACE_BUILD_{part}=OFF'
-    for part in ('CLI', 'TESTS', 'BENCHMARKS', 'DOCS', 'BOX2D', 'PYTHON', 'FORTRAN', 'RUST')]
+    for part in ('CLI', 'TESTS', 'BENCHMARKS', 'DOCS', 'BOX2D', 'PYTHON', 'FORTRAN', 'RUST', 'LAMMPS')]
 
 
 def library_of(revision, build):

@@ -40,7 +40,7 @@ def count_of(text, where):
 
 
 def row_of(cells, where):
-    if len(cells) != 3 or not cells[0].isdigit():
+    if len(cells) != 3 or not cells[0].isdecimal():
         raise Fault(f'{where}: a scene has a name, a whole number of blocks, and two counts')
     blocks, now, release = cells
     return Row(int(blocks), count_of(now, where), None if release == '-' else count_of(release, where))
