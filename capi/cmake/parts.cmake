@@ -104,7 +104,7 @@ int main() { dInitODE(); }]])
 # A folder that is left empty can still be imported; what is in it cannot.
 foreach(module numpy/numpy.random matplotlib/matplotlib.pyplot vtk9/vtkmodules.vtkIOXML selenium/selenium.webdriver
         pytest/pytest.__main__ build/build.__main__ setuptools/setuptools.build_meta wheel/wheel.bdist_wheel
-        venv/ensurepip)
+        venv/ensurepip.__main__)
   cmake_path(GET module PARENT_PATH name)
   cmake_path(GET module FILENAME module)
   halfspace_dependency(python3-${name} PACKAGE python3-${name} RUN ${SYSTEM_PYTHON} -c "import ${module}")
