@@ -12,6 +12,7 @@ Examples
 -0.125
 """
 from ._arrays import pose
+from ._attributes import guard_attributes
 from ._help import wrap_signatures
 from ._library import status_text, version
 from .affine import Elasticity
@@ -180,3 +181,4 @@ __all__ = [
 ]
 
 wrap_signatures(globals()[name] for name in __all__)
+guard_attributes(globals()[name] for name in __all__)

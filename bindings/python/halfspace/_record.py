@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Ty
 import numpy as np
 from numpy.typing import NDArray
 
+from ._attributes import calls_that_set, refused_assignment, unknown_attribute
+
 _LONGEST_LINE = 100
 _Kind = Type[Union[IntEnum, IntFlag]]
 Floats = NDArray[np.float64]
@@ -28,6 +30,21 @@ class Record(_Struct):
 
     def __getitem__(self, key: Any) -> Any:
         return np.void.__getitem__(self, key)  # np.record would return nested records as objects of this class
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            raise unknown_attribute(type(self), name, self.dtype.names)
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if name not in self.dtype.names:
+                raise unknown_attribute(type(self), name, self.dtype.names)
+            if not self.flags.writeable:
+                from .world import World  # which knows records
+
+                ways = {field: f"World.{call}" for field, call in calls_that_set(World).items() if field == name}
+                raise refused_assignment(type(self), name, ways, exists=True)
+            self[name] = value
 
     def __repr__(self) -> str:
         name = type(self).__name__
@@ -67,15 +84,33 @@ class Records(np.ndarray):  # type: ignore[type-arg]
         return [*super().__dir__(), *(self.dtype.names or ())]
 
     def __getattr__(self, name: str) -> Any:
-        if name not in (self.dtype.names or ()):
-            raise AttributeError(f"{type(self).__name__} has no field or attribute {name}")
+        fields = self.dtype.names or ()
+        if name not in fields:
+            raise unknown_attribute(type(self), name, fields)
         return self[name]
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if name in (self.dtype.names or ()):
+        fields = self.dtype.names or ()
+        if name in fields:
             self[name] = value
-        else:
+        elif hasattr(np.ndarray, name):
             super().__setattr__(name, value)
+        else:
+            raise unknown_attribute(type(self), name, fields)
+
+    def columns(self) -> Dict[str, NDArray[Any]]:
+        """Returns all numbers by name, in columns for ``pandas.DataFrame(states.columns())``: components of vectors and
+        tensors as ``velocity[1]`` and ``stress[0, 1]``, those of records in records as ``pose.position[1]``."""
+        columns: Dict[str, NDArray[Any]] = {}
+        for name in self.dtype.names or ():
+            values = self[name]
+            if isinstance(values, Records):
+                columns.update({f"{name}.{inner}": column for inner, column in values.columns().items()})
+            elif not name.startswith("reserved"):
+                for index in np.ndindex(values.shape[1:]):
+                    place = f"[{', '.join(map(str, index))}]" if index else ""
+                    columns[name + place] = values[(slice(None), *index)]
+        return columns
 
 
 _types: Dict[Any, Any] = {}  # of earlier structs, which may be fields of others
@@ -117,9 +152,11 @@ def _format_of(declared: Any) -> Any:
 
 
 def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:
-    """An array of one zeroed struct, and its address."""
+    """An array of one zeroed struct, which only the library writes, and its address."""
     array = np.zeros(1, dtype)
-    return array, array.ctypes.data
+    address = array.ctypes.data
+    array.flags.writeable = False
+    return array, address
 
 
 def empty_records(count: int, dtype: Any) -> Records:

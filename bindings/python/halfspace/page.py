@@ -10,16 +10,15 @@ from .recording import Recording, read_run
 
 
 class View:
-    """A page of HTML that plays a run. In a notebook it shows itself.
-
-    Attributes
-    ----------
-    path : pathlib.Path
-        The page.
-    """
+    """A page of HTML that plays a run. In a notebook it shows itself."""
 
     def __init__(self, path: pathlib.Path) -> None:
-        self.path = path
+        self._path = path
+
+    @property
+    def path(self) -> pathlib.Path:
+        """The page."""
+        return self._path
 
     def __repr__(self) -> str:
         return f"View({str(self.path)!r})"

@@ -27,14 +27,23 @@ def _notebook_display() -> Optional[Any]:
     return display
 
 
+def _is_terminal(stream: Any) -> bool:
+    try:
+        return bool(stream.isatty())
+    except (AttributeError, ValueError):  # None, an object that takes text only, or closed
+        return False
+
+
 class ProgressBar:
     """Shows the completed fraction of some work, its position and the time left.
 
-    In a notebook it is an element of the cell's output, elsewhere a line on standard error.
+    In a notebook it is an element of the cell's output, in a terminal a line on standard error. Elsewhere, as where
+    standard error is a file, it shows nothing.
     """
 
     def __init__(self) -> None:
         self._display = _notebook_display()
+        self._is_shown = self._display is not None or _is_terminal(sys.stderr)
         self._handle: Any = None
         self._start = time.perf_counter()
         self._last = -_INTERVAL
@@ -43,7 +52,7 @@ class ProgressBar:
     def show(self, fraction: float, where: str) -> None:
         """Shows a fraction from 0 to 1, and the position as text. Draws at most ten times per second."""
         elapsed = time.perf_counter() - self._start
-        if fraction < 1 and elapsed - self._last < _INTERVAL:
+        if not self._is_shown or (fraction < 1 and elapsed - self._last < _INTERVAL):
             return
         self._last = elapsed
         done = min(max(fraction, 0.0), 1.0)

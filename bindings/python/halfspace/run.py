@@ -83,7 +83,7 @@ class Runs(BlockArrays):
         callback : callable, optional
             Called with the world; False ends the run.
         progress : bool
-            Show a progress bar, in a terminal or a notebook.
+            Show a progress bar, in a terminal or a notebook; nothing elsewhere, as in a log.
 
         Raises
         ------

@@ -200,7 +200,7 @@ class Scene(Searches):
         every : float, optional
             Interval of the history and the callback, s; by default that of the scene.
         progress : bool
-            Show a progress bar.
+            Show a progress bar, as `World.run` does.
         context : Context, optional
             The owner of the world; its threads run the scene.
 
@@ -254,7 +254,7 @@ class Scene(Searches):
         jobs : int, optional
             Number of runs at once, each in a thread; by default one per core.
         progress : bool
-            Show a progress bar.
+            Show a progress bar, as `World.run` does.
         """
         return sweep_of(self, values, safety, jobs, progress)
 

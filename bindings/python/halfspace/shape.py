@@ -32,8 +32,7 @@ class Shape(Handle):
     def __init__(self, context: Context, pointer: Any) -> None:
         super().__init__(context, pointer, library.hs_shape_destroy)
         self._properties: Any = None
-        #: For a shape made with a tolerance, a record of the fields of ``hs_fit_report``; else None.
-        self.fit_report: Any = None
+        self._fit_report: Any = None
 
     @classmethod
     def _make(
@@ -84,8 +83,7 @@ class Shape(Handle):
             tolerance,
             behind=(_raw.hs_fit_report.from_address(address),),
         )
-        report.flags.writeable = False
-        shape.fit_report = report[0]
+        shape._fit_report = report[0]
         return shape
 
     @classmethod
@@ -216,9 +214,13 @@ class Shape(Handle):
             array, address = empty_record(SHAPE_PROPERTIES)
             pointer = _raw.hs_shape_properties.from_address(address)
             self._call(library.hs_shape_get_properties, ctypes.byref(pointer), array.nbytes)
-            array.flags.writeable = False
             self._properties = array[0]
         return cast(ShapeProperties, self._properties)
+
+    @property
+    def fit_report(self) -> Any:
+        """For a shape made with a tolerance, a record of the fields of ``hs_fit_report``; else None."""
+        return self._fit_report
 
     @property
     def dimension(self) -> int:

@@ -25,6 +25,7 @@ import pathlib
 import time
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
+from ._attributes import guard_attributes
 from .errors import InvertedError, TooFastError, UnstableError
 from .world import World
 
@@ -65,6 +66,9 @@ class Trade:
     def cheapest(self, tolerance: float) -> Optional[Trial]:
         """The cheapest trial with an error within the tolerance; None if there is none."""
         return next((trial for trial in self.front() if trial.error <= tolerance), None)
+
+
+guard_attributes([Trial, Trade])
 
 
 def grid(**values: Sequence[Any]) -> List[Dict[str, Any]]:

@@ -72,8 +72,28 @@ def test_arrays_of_records_have_the_fields(falling_world):
     assert type(contacts.gap) is np.ndarray and contacts.gap.shape == (1,)
     contacts.gap = 3
     assert contacts[0].gap == 3
-    with pytest.raises(AttributeError, match="no field or attribute gaps_"):
+    with pytest.raises(AttributeError, match="Records has no attribute gaps_; similar: gaps, gap"):
         contacts.gaps_
+
+
+def test_arrays_of_records_are_columns_of_numbers(falling_world):
+    states = falling_world.states()
+    columns = states.columns()
+    assert all(column.shape == (2,) and column.dtype.names is None for column in columns.values())
+    for name, values in (
+        ("mass", states.mass),
+        ("velocity[1]", states.velocity[:, 1]),
+        ("pose.position[1]", states["pose"]["position"][:, 1]),
+    ):
+        assert columns[name].tolist() == values.tolist()
+    assert falling_world.deformations().columns()["gradient[0, 0]"].tolist() == [1, 1]
+    assert falling_world.bonds().columns()["area"].shape == (0,)
+
+
+def test_pandas_takes_the_columns(falling_world):
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(falling_world.contacts().columns())
+    assert table["gap"][0] == falling_world.contacts().gap[0] and table["normal[1]"][0] == 1
 
 
 def test_copies_are_records(falling_world):

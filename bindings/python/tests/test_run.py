@@ -1,5 +1,7 @@
 """Runs of worlds in time, their progress, and files of their blocks."""
+import io
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -32,10 +34,34 @@ def test_a_callback_ends_the_run(resting_world):
     assert resting_world.time == pytest.approx(0.3)
 
 
-def test_progress_is_shown(resting_world, capsys):
-    resting_world.run(0.1, progress=True)
-    shown = capsys.readouterr().err
-    assert "100 %" in shown and "t = 0.1 of 0.1 s" in shown and shown.endswith("\n")
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def run_with_progress(world):
+    world.run(0.1, progress=True)
+    scene = hs.Scene.from_world(world, 0.01)
+    scene.run(progress=True)
+    scene.sweep({"world.safety": [0.4, 0.5]}, progress=True)
+
+
+def test_progress_is_shown_in_a_terminal(resting_world, monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    run_with_progress(resting_world)
+    shown = sys.stderr.getvalue()
+    assert "100 %" in shown and "t = 0.1 of 0.1 s" in shown and "2 of 2 runs" in shown and shown.endswith("\n")
+
+
+def test_progress_is_not_written_to_files(resting_world, monkeypatch, tmp_path):
+    with (tmp_path / "log.txt").open("w", encoding="utf-8") as log:
+        monkeypatch.setattr(sys, "stderr", log)
+        run_with_progress(resting_world)
+    assert (tmp_path / "log.txt").read_text(encoding="utf-8") == ""
+    run_with_progress(resting_world)  # to a file that is closed
+    for stream in (None, types.SimpleNamespace(write=pytest.fail)):  # without a console; a logger's
+        monkeypatch.setattr(sys, "stderr", stream)
+        run_with_progress(resting_world)
 
 
 @pytest.mark.parametrize("end", [{"duration": -1}, {"duration": float("nan")}, {"until": float("inf")}])
