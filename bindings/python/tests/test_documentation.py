@@ -11,6 +11,7 @@ import halfspace
 from halfspace import affine, context, generators, impact, law, pair, query, run, scene, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
+REFERENCE = pathlib.Path(__file__).resolve().parents[3] / "docs/doxygen/reference"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
@@ -45,6 +46,36 @@ def test_every_function_of_the_library_is_reached():
     # Functions without a Python interface.
     needless = {"hs_task_run"}  # for schedulers of C
     assert set(SYMBOLS.read_text(encoding="ascii").split()) - called == needless
+
+
+@pytest.mark.skipif(not REFERENCE.exists(), reason="the wheel is tested without the source tree")
+def test_the_reference_has_all_members_under_their_public_classes(monkeypatch):
+    monkeypatch.syspath_prepend(str(REFERENCE))
+    import python_pages
+
+    pages = list(python_pages.modules(REFERENCE.parents[2]))
+    shown = {(owner, member.name) for page in pages for item in page.items for owner in item.name.split(", ")
+             for member in item.members}
+    items = {item.name for page in pages for item in page.items}
+    for name in halfspace.__all__:
+        member = getattr(halfspace, name)
+        if inspect.isclass(member) and member.__module__ != "halfspace._raw":
+            assert name in items
+            methods = [each for base in member.__mro__ if base.__module__.startswith("halfspace") for each in vars(base)
+                       if not each.startswith("_") and (callable(getattr(base, each)) or isinstance(vars(base)[each], property))]
+            assert not [each for each in methods if not issubclass(member, int) and (name, each) not in shown]
+    owners = {owner for item in items for owner in item.split(", ")}
+    assert not {"Runs", "ActedOn", "Statics", "Handle"} & owners
+
+
+@pytest.mark.skipif(not REFERENCE.exists(), reason="the wheel is tested without the source tree")
+def test_the_reference_escapes_no_underscores(monkeypatch):
+    monkeypatch.syspath_prepend(str(REFERENCE))
+    import page_of_module
+    import python_pages
+
+    for module in python_pages.modules(REFERENCE.parents[2]):
+        assert "\\_" not in page_of_module.markdown("Python", module, "py")[1]
 
 
 def test_everything_public_is_documented():

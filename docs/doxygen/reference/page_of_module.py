@@ -25,9 +25,9 @@ class Module:
 
 def as_prose(text):
     """Documentation as Doxygen reads it: neither tags nor commands outside of code. It takes single percent signs away."""
-    parts = re.split(r"(```.*?```|`[^`\n]+`)", text, flags=re.DOTALL)
-    escape = str.maketrans({"<": "&lt;", "@": "\\@", "\\": "\\\\", "*": "\\*", "_": "\\_"})
-    keep = re.compile(r"(\bhs_\w+|\*\*[^*]+\*\*|^\* )", re.MULTILINE)
+    parts = re.split(r"(```.*?```|``.+?``|`[^`]+`)", text, flags=re.DOTALL)
+    escape = str.maketrans({"<": "&lt;", "@": "\\@", "\\": "\\\\", "*": "\\*"})
+    keep = re.compile(r"(\*\*[^*]+\*\*|^\* )", re.MULTILINE)
     parts = [part if part.startswith("```") else re.sub(r"%(?=\w)", "%%", part) for part in parts]
     return "".join(part if i % 2 else "".join(word if k % 2 else word.translate(escape)
                                               for k, word in enumerate(keep.split(part)))

@@ -1,10 +1,14 @@
-"""The modules of the package for Python, read from their sources."""
+"""The modules of the package for Python, read from their sources: the names of `__all__`. The members that a public class
+has from another one stand on the page of the other, under the name of the public class."""
 import ast
 import re
+import textwrap
 
 from page_of_module import Item, Module
 
 HEADINGS = ("Parameters", "Returns", "Raises", "Attributes", "Examples", "Notes", "Yields", "See Also")
+
+IMPORTED = ("records", "trade")  # modules that users import by themselves
 
 
 def sections(text):
@@ -33,7 +37,11 @@ def code_of_examples(body):
     def fenced(found):
         return "```{.py}\n" + found[0].rstrip() + "\n```\n"
 
-    return re.sub(r"(?m)^>>> .*\n(?:(?!\n).+\n?)*", fenced, body + "\n")
+    def literal(found):
+        return ":\n\n```\n" + textwrap.dedent(found[1]).rstrip() + "\n```\n"
+
+    examples = re.sub(r"(?m)^>>> .*\n(?:(?!\n).+\n?)*", fenced, body + "\n")
+    return re.sub(r"::\n\n((?: {4}.*\n|\n)+)", literal, examples)
 
 
 def doc(node):
@@ -59,13 +67,14 @@ def is_setter(node):
     return any(isinstance(decorator, ast.Attribute) and decorator.attr == "setter" for decorator in node.decorator_list)
 
 
-def class_item(node):
-    members, start = [], node.name
+def class_item(node, owner):
+    members, start = [], owner
     for one in node.body:
         if not isinstance(one, ast.FunctionDef) or is_setter(one):
             continue
         if one.name == "__init__":
-            start = signature(one, node.name)
+            if owner == node.name:
+                start = signature(one, owner)
         elif not one.name.startswith("_"):
             result = f" -> {ast.unparse(one.returns)}" if one.returns else ""
             shown = f"{one.name}{result}  # property" if is_property(one) else signature(one, one.name)
@@ -73,17 +82,50 @@ def class_item(node):
     constants = [ast.unparse(one) for one in node.body if isinstance(one, ast.Assign)]
     if constants and not members:
         start += "\n" + "\n".join(f"    {line}" for line in constants)
-    return Item(node.name, f"class {start}", doc(node), members)
+    return Item(owner, f"class {start}", doc(node), members)
+
+
+def public_names(trees):
+    """The names of `__all__`, and those of modules that users import by themselves."""
+    listed = {name for one in trees["__init__"].body if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"
+              for name in ast.literal_eval(one.value)}
+    return listed.union(*({node.name for node in trees[name].body if hasattr(node, "name") and node.name[0] != "_"}
+                          for name in IMPORTED))
+
+
+def owners_of(trees, public):
+    """The public classes that have the members of each class."""
+    bases = {node.name: [ast.unparse(base) for base in node.bases]
+             for tree in trees.values() for node in tree.body if isinstance(node, ast.ClassDef)}
+
+    def ancestors(name):
+        return {name}.union(*(ancestors(base) for base in bases.get(name, [])))
+
+    return {name: [name] if name in public else [each for each in bases if each in public and name in ancestors(each)]
+            for name in bases}
+
+
+def items_of(tree, owners, public):
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_") and owners[node.name]:
+            yield class_item(node, ", ".join(owners[node.name]))
+        elif isinstance(node, ast.FunctionDef) and node.name in public:
+            yield Item(node.name, signature(node, node.name), doc(node))
 
 
 def modules(root):
-    for path in sorted((root / "bindings/python/halfspace").glob("[a-z]*.py")):
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        items = []
-        for node in tree.body:
-            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
-                items.append(class_item(node))
-            elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-                items.append(Item(node.name, signature(node, node.name), doc(node)))
-        if items:
-            yield Module(path.stem, doc(tree), items)
+    paths = sorted((root / "bindings/python/halfspace").glob("*.py"))
+    trees = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in paths}
+    public = public_names(trees)
+    owners = owners_of(trees, public)
+    found = [Module(name, doc(tree), list(items_of(tree, owners, public)))
+             for name, tree in trees.items() if not name.startswith("_")]
+    for module in found:
+        defined = {node.name for node in trees[module.name].body if isinstance(node, ast.ClassDef)}
+        for item in module.items:
+            others = [other.name for other in found if other is not module and item.name in defined
+                      and any(item.name in one.name.split(", ") and one.members for one in other.items)]
+            if others:
+                links = ", ".join(f"[{name.replace('_', ' ')}](python_{name}.html)" for name in others)
+                item.text += f"\n\nOther members of {item.name}: {links}."
+    return [module for module in found if module.items]
