@@ -1449,9 +1449,10 @@ module halfspace_c
 
     !> Bulk: contacts of the last detection, with block a before b; none after a change of poses, blocks or
     !! laws. Contacts of laws with springs are first, one per pair, sorted by block index; their forces are 0
-    !! until evaluated. Contacts of laws without springs follow, one per point (vertex-face or edge-edge), at
-    !! the end of the last step; in the step of a touch their force is the remaining impulse divided by half
-    !! the step (Li et al. 2015, sections 3 and 4).
+    !! until evaluated. Contacts of laws without springs follow, at the end of the last step: of blocks that
+    !! deform, are held or may be bonded one per point (vertex-face or edge-edge), then of rigid blocks one
+    !! per pair. In the step of a touch their force is the remaining impulse divided by half the step (Li et
+    !! al. 2015, sections 3 and 4).
     !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
     function hs_world_get_contacts(world, contacts, capacity, count) bind(c)
       import

@@ -414,8 +414,8 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         self._call(library.hs_world_step, left)
 
     def contacts(self) -> Records:
-        """Returns the contacts of the last detection: an array of `CONTACT`, sorted by block index, a before b.
-        `contacts().gap` is the array of their gaps."""
+        """Returns the contacts of the last detection: an array of `CONTACT`, a before b. Those of laws with springs are
+        first, sorted by block index. `contacts().gap` is the array of their gaps."""
         count = ctypes.c_int64()
         with held(self):
             self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))

@@ -9,7 +9,8 @@
  *  - In 2D z components of arguments are ignored, and those of results are 0; areas are lengths times unit
  *    thickness, volumes are areas times unit thickness.
  *  - A function that can fail returns ::hs_status and writes its results through pointers. After an error
- *    nothing has changed; hs_context_last_error() names the function, the argument and its value.
+ *    nothing has changed, but for steps or pairs completed before it; hs_context_last_error() names the
+ *    function, the argument and its value.
  *  - Floating-point arguments must be finite and at most 1e75 in magnitude; narrower ranges are given for
  *    each argument.
  *  - A parameter declared as `x[]` is an array; one declared as `*x` is one value, struct or handle.
