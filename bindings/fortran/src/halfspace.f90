@@ -5,8 +5,8 @@
 !! - All indices start at 1: vertices, faces, edges, nodes, cells, materials, bodies, bonds. Indices in error texts of
 !!   the library start at 0.
 !! - stat= receives 0, a note > 0 (HS_NOTE_) or an error < 0, and errmsg= its text, as in allocate. Without stat=, a
-!!   note or an error stops the program with the text. After an error nothing has changed, except contacts of
-!!   halfspace_detect_pairs().
+!!   note or an error stops the program with the text. After an error nothing has changed, except steps and
+!!   contacts of halfspace_detect_pairs() that were completed before it.
 !! - halfspace_context, halfspace_shape, halfspace_mesh and halfspace_world are reference-counted owners: assignment
 !!   adds a reference, and the last one to go out of scope destroys the object.
 !! - A context and everything made from it must be used by one thread at a time.

@@ -1778,7 +1778,7 @@ module halfspace_c
     end function hs_world_set_node_viscosity
 
     !> Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
-    !! is held does not rotate. Contacts of laws without springs are points then, without restitution.
+    !! is held does not rotate. Its contacts of laws without springs are points, without restitution.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds
     function hs_world_hold_block(world, block, axes) bind(c)
       import

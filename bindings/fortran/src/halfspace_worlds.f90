@@ -319,8 +319,8 @@ module halfspace_worlds
       character(*), intent(inout), optional :: errmsg
     end subroutine end_node_actions
 
-    !> Holds axes of a rigid block: the velocity along them stays, whatever the forces. Contacts of laws without springs
-    !! are points then, without restitution.
+    !> Holds axes of a rigid block: the velocity along them stays, whatever the forces. Its contacts of laws without
+    !! springs are points, without restitution.
     module subroutine hold_block(self, block, axes, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       type(halfspace_block), intent(in) :: block

@@ -31,7 +31,7 @@ class _Struct(Structure):
 # Names the interface that is described here.
 SONAME = "libhalfspace.so.0.1"
 
-# 0: success. Above 0: success with a note. Below 0: error; nothing has changed.
+# 0: success. Above 0: success with a note. Below 0: error, see halfspace.h.
 hs_status = c_int32
 # Id of a block: index and generation. 0 is no block; ids of removed blocks are not reused.
 hs_block = c_uint64
@@ -1763,7 +1763,7 @@ def declare(library: Any) -> None:
     library.hs_world_set_node_viscosity.restype = hs_status
 
     # Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
-    # is held does not rotate. Contacts of laws without springs are points then, without restitution.
+    # is held does not rotate. Its contacts of laws without springs are points, without restitution.
     library.hs_world_hold_block.argtypes = [
         POINTER(hs_world),  # world
         hs_block,  # block

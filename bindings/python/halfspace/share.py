@@ -66,7 +66,8 @@ class Shares(BlockArrays):
           └────▶ move ──▶ loads, carry, set_loads ──▶ end_step
 
     The motion has the same bits as by `step` of the whole world, for any number of shares. Shares hold rigid and
-    affine blocks, laws with springs and potential laws, water and applied forces; the world needs a given time step.
+    affine blocks, laws with springs and potential laws, water, applied forces, and motions and loads in time; the
+    world needs a given time step.
     """
 
     _load_length = 0  # of a row of loads; 0: to be asked for, as its computation visits all blocks

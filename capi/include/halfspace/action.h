@@ -102,7 +102,7 @@ HS_CHECKED hs_status hs_world_set_node_viscosity(hs_world *world, hs_body body, 
                                                  int64_t count, const double viscosity[9]);
 
 /** @brief Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose
- *  rotation is held does not rotate. Contacts of laws without springs are points then, without restitution.
+ *  rotation is held does not rotate. Its contacts of laws without springs are points, without restitution.
  *  @param world not NULL @param block id of a rigid block @param axes sum of HS_AXIS_ values, or 0: frees it
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STALE_ID, or HS_ERROR_STATE for other kinds */
 HS_CHECKED hs_status hs_world_hold_block(hs_world *world, hs_block block, int32_t axes);

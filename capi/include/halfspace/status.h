@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** 0: success. Above 0: success with a note. Below 0: error; nothing has changed. */
+/** 0: success. Above 0: success with a note. Below 0: error, see halfspace.h. */
 typedef int32_t hs_status;
 
 /** List of status codes: X(name, value, text). Constants of the bindings are generated from it. */

@@ -7,7 +7,7 @@
 use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
 
-/// 0: success. Above 0: success with a note. Below 0: error; nothing has changed.
+/// 0: success. Above 0: success with a note. Below 0: error, see halfspace.h.
 pub type hs_status = i32;
 /// Id of a block: index and generation. 0 is no block; ids of removed blocks are not reused.
 pub type hs_block = u64;
@@ -2532,7 +2532,7 @@ extern "C" {
     ) -> hs_status;
 
     /// Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose
-    /// rotation is held does not rotate. Contacts of laws without springs are points then, without
+    /// rotation is held does not rotate. Its contacts of laws without springs are points, without
     /// restitution.
     ///
     /// - `world`: not NULL

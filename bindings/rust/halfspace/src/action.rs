@@ -235,8 +235,8 @@ impl World {
     }
 
     /// Holds axes of a rigid block: the velocity along them stays, whatever the forces, and with
-    /// [`Axes::ROTATION`] it does not rotate. [`Axes::NONE`] frees the block. Contacts of laws
-    /// without springs are points then, without restitution.
+    /// [`Axes::ROTATION`] it does not rotate. [`Axes::NONE`] frees the block. Its contacts of
+    /// laws without springs are points, without restitution.
     pub fn hold_block(&mut self, block: Block, axes: Axes) -> Result<()> {
         // SAFETY: the world lives and is borrowed mutably.
         self.check(unsafe { sys::hs_world_hold_block(self.handle(), block.id(), axes.0) })
