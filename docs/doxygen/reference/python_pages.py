@@ -1,5 +1,5 @@
-"""The modules of the package for Python, read from their sources: the names of `__all__`. The members that a public class
-has from another one stand on the page of the other, under the name of the public class."""
+"""The modules of the package for Python, read from their sources: the names of `__all__`. The members that a public
+class has from another one stand on the page of the other, under the name of the public class."""
 import ast
 import re
 import textwrap
@@ -87,10 +87,10 @@ def class_item(node, owner):
 
 def public_names(trees):
     """The names of `__all__`, and those of modules that users import by themselves."""
-    listed = {name for one in trees["__init__"].body if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"
-              for name in ast.literal_eval(one.value)}
-    return listed.union(*({node.name for node in trees[name].body if hasattr(node, "name") and node.name[0] != "_"}
-                          for name in IMPORTED))
+    (listed,) = [ast.literal_eval(one.value) for one in trees["__init__"].body
+                 if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"]
+    imported = [getattr(one, "name", "_") for name in IMPORTED for one in trees[name].body]
+    return {*listed, *(name for name in imported if not name.startswith("_"))}
 
 
 def owners_of(trees, public):
