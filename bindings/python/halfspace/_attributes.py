@@ -31,7 +31,7 @@ def calls_that_set(kind: type) -> Ways:
         verb, _, noun = name.partition("_")
         if verb in ("set", "with") and noun:
             nouns[noun] = call
-            values = [each.name for each in _parameters(getattr(kind, name))[1:] if each.annotation != "int"]
+            values = [each.name for each in _parameters(getattr(kind, name))[1:] if each.annotation not in ("int", int)]
             arguments.update({value: call for value in values if value not in arguments})
     return {**arguments, **nouns}
 
