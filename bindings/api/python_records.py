@@ -5,7 +5,8 @@ from prose import wrapped
 HEAD = '''\
 # Generated {generated}.
 """The library's reports and states, field by field as in the headers of C: for each a class of records, which print
-their names and values, and its NumPy data type. Nine numbers in a row are a tensor of shape (3, 3)."""
+their names and values, and its NumPy data type. Nine numbers in a row are a tensor of shape (3, 3). An
+array of records has its fields as attributes, and `columns()`: all numbers by name, as pandas takes them."""
 from . import _raw, constants
 from ._record import Floats, Record, record_type
 '''
