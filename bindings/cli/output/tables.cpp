@@ -35,8 +35,9 @@ std::string contacts_table(const Layout& layout, const Frame& frame) {
   std::string text = "block_a,block_b,gap,area" + columns("", dimension) + columns("normal_", dimension) +
                      ",normal_force" + columns("force_", dimension) + '\n';
   for (const hs_contact& contact : frame.contacts) {
-    text += layout.blocks[contact.block_a].name + ',' + layout.blocks[contact.block_b].name + ',' +
-            shortest(contact.gap) + ',' + shortest(contact.area);
+    text += csv_value(layout.blocks[contact.block_a].name) + ',' +
+            csv_value(layout.blocks[contact.block_b].name) + ',' + shortest(contact.gap) + ',' +
+            shortest(contact.area);
     add_vector(text, contact.force_point, dimension);
     add_vector(text, contact.normal, dimension);
     text += ',' + shortest(contact.normal_force);
@@ -52,9 +53,9 @@ std::string cracks_table(const Model& model) {
                      columns("normal_", layout.dimension) + ",area,normal_traction,shear_traction,energy\n";
   for (const hs_bond_event& event : model.bond_events()) {
     const auto& [block_a, block_b] = model.blocks_of_bond(static_cast<std::size_t>(event.bond));
-    text += shortest(event.time) + ',' + std::to_string(event.step) + ',' + layout.blocks[block_a].name +
-            ',' + layout.blocks[block_b].name + ',' + std::to_string(event.point) + ',' +
-            (event.failure == HS_BOND_TENSION ? "tension" : "shear");
+    text += shortest(event.time) + ',' + std::to_string(event.step) + ',' +
+            csv_value(layout.blocks[block_a].name) + ',' + csv_value(layout.blocks[block_b].name) + ',' +
+            std::to_string(event.point) + ',' + (event.failure == HS_BOND_TENSION ? "tension" : "shear");
     add_vector(text, event.position, layout.dimension);
     add_vector(text, event.normal, layout.dimension);
     for (const double value : {event.area, event.normal_traction, event.shear_traction, event.energy})

@@ -61,6 +61,19 @@ std::size_t block_of(const Recording& recording, int64_t number) {
   return static_cast<std::size_t>(number);
 }
 
+std::string text_of(const char* name, const char* text) {
+  if (!text) throw std::invalid_argument(std::string(name) + " is NULL");
+  return text;
+}
+
+/// Arrays of so many values, which are there. @throws std::invalid_argument
+template <class... Arrays>
+void require_arrays(const char* name, int64_t count, const Arrays*... arrays) {
+  if (count < 0) throw std::invalid_argument(std::string(name) + " is " + std::to_string(count));
+  if (count > 0 && !(... && arrays))
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(count) + ", and an array NULL");
+}
+
 Point point_at(const double values[], int64_t index) {
   return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
 }
@@ -76,12 +89,13 @@ hs_recording* hs_recording_create(int32_t dimension, const char* title) {
   return guarded<hs_recording*>(nullptr, [&] {
     if (dimension != 2 && dimension != 3)
       throw std::invalid_argument("dimension is " + std::to_string(dimension) + "; allowed: 2, 3");
-    return new hs_recording{Recording(dimension, title)};
+    return new hs_recording{Recording(dimension, text_of("title", title))};
   });
 }
 
 hs_recording* hs_recording_read(const char* directory) {
-  return guarded<hs_recording*>(nullptr, [&] { return new hs_recording{read_run(directory)}; });
+  return guarded<hs_recording*>(nullptr,
+                                [&] { return new hs_recording{read_run(text_of("directory", directory))}; });
 }
 
 void hs_recording_destroy(hs_recording* recording) { delete recording; }
@@ -93,12 +107,15 @@ int64_t hs_recording_add_block(hs_recording* recording, const char* name, int32_
                                int64_t face_count, const int32_t face_sizes[],
                                const int32_t face_vertices[]) {
   return guarded<int64_t>(-1, [&] {
-    BlockShape shape{.name = name, .kind = kind, .material = material};
+    require_arrays("vertex_count", vertex_count, vertices);
+    require_arrays("face_count", face_count, face_sizes, face_vertices);
+    if (!pose) throw std::invalid_argument("pose is NULL");
+    BlockShape shape{.name = text_of("name", name), .kind = kind, .material = material};
     for (int64_t v = 0; v < vertex_count; ++v) shape.vertices.push_back(point_at(vertices, v));
     for (int64_t f = 0; f < face_count; ++f) {
-      for (int32_t i = 0; i < face_sizes[f]; ++i)
-        if (face_vertices[i] < 0 || face_vertices[i] >= vertex_count)
-          throw std::invalid_argument("a face has no vertex " + std::to_string(face_vertices[i]));
+      if (face_sizes[f] < 0)
+        throw std::invalid_argument("face_sizes[" + std::to_string(f) + "] is " +
+                                    std::to_string(face_sizes[f]));
       shape.faces.emplace_back(face_vertices, face_vertices + face_sizes[f]);
       face_vertices += face_sizes[f];
     }
@@ -107,7 +124,12 @@ int64_t hs_recording_add_block(hs_recording* recording, const char* name, int32_
 }
 
 int32_t hs_recording_set_materials(hs_recording* recording, int64_t count, const char* const names[]) {
-  return guarded([&] { recording_of(recording).set_material_names({names, names + count}); });
+  return guarded([&] {
+    require_arrays("count", count, names);
+    std::vector<std::string> texts;
+    for (int64_t i = 0; i < count; ++i) texts.push_back(text_of("a name", names[i]));
+    recording_of(recording).set_material_names(std::move(texts));
+  });
 }
 
 int32_t hs_recording_add_frame(hs_recording* recording, double time) {
@@ -117,6 +139,7 @@ int32_t hs_recording_add_frame(hs_recording* recording, double time) {
 int32_t hs_recording_set_poses(hs_recording* recording, int64_t count, const int64_t blocks[],
                                const double poses[]) {
   return guarded([&] {
+    require_arrays("count", count, blocks, poses);
     Recording& found = filled(recording);
     for (int64_t i = 0; i < count; ++i) found.set_rigid(block_of(found, blocks[i]), pose_at(poses, i));
   });
@@ -126,8 +149,10 @@ int32_t hs_recording_set_vertices(hs_recording* recording, int64_t block, const 
   return guarded([&] {
     Recording& found = filled(recording);
     const std::size_t number = block_of(found, block);
+    require_arrays("the number of vertices", static_cast<int64_t>(found.shape(number).vertices.size()),
+                   vertices);
     std::vector<Point> points;
-    for (std::size_t v = 0; v < found.vertex_count(number); ++v)
+    for (std::size_t v = 0; v < found.shape(number).vertices.size(); ++v)
       points.push_back(point_at(vertices, static_cast<int64_t>(v)));
     found.set_vertices(number, points, {0, 0, 0, 1});
   });
@@ -136,8 +161,10 @@ int32_t hs_recording_set_vertices(hs_recording* recording, int64_t block, const 
 int32_t hs_recording_set_values(hs_recording* recording, const char* name, const char* unit, int64_t count,
                                 const int64_t blocks[], const double values[]) {
   return guarded([&] {
+    require_arrays("count", count, blocks, values);
     Recording& found = filled(recording);
-    for (int64_t i = 0; i < count; ++i) found.set_value(name, unit, block_of(found, blocks[i]), values[i]);
+    for (int64_t i = 0; i < count; ++i)
+      found.set_value(text_of("name", name), text_of("unit", unit), block_of(found, blocks[i]), values[i]);
   });
 }
 
@@ -145,6 +172,7 @@ int32_t hs_recording_set_contacts(hs_recording* recording, int64_t count, const 
                                   const int64_t blocks_b[], const double points[], const double forces[],
                                   const double normal_forces[]) {
   return guarded([&] {
+    require_arrays("count", count, blocks_a, blocks_b, points, forces, normal_forces);
     Recording& found = filled(recording);
     std::vector<ContactForce> contacts;
     for (int64_t c = 0; c < count; ++c)
@@ -158,10 +186,14 @@ int32_t hs_recording_set_bolts(hs_recording* recording, int64_t count, const int
                                const double places_a[], const double places_b[], const double tensions[],
                                const int32_t are_ruptured[]) {
   return guarded([&] {
+    require_arrays("count", count, numbers, places_a, places_b, tensions, are_ruptured);
     Recording& found = filled(recording);
-    for (int64_t i = 0; i < count; ++i)
+    for (int64_t i = 0; i < count; ++i) {
+      if (numbers[i] < 0)
+        throw std::invalid_argument("the number of a bolt is " + std::to_string(numbers[i]));
       found.set_bolt({static_cast<std::size_t>(numbers[i]), point_at(places_a, i), point_at(places_b, i),
                       tensions[i], are_ruptured[i] != 0});
+    }
   });
 }
 
@@ -169,6 +201,7 @@ int32_t hs_recording_add_cracks(hs_recording* recording, int64_t count, const do
                                 const int64_t blocks_a[], const int64_t blocks_b[], const double positions[],
                                 const double normals[], const double areas[], const int32_t are_shear[]) {
   return guarded([&] {
+    require_arrays("count", count, times, blocks_a, blocks_b, positions, normals, areas, are_shear);
     Recording& found = recording_of(recording);
     for (int64_t i = 0; i < count; ++i)
       found.add_crack({times[i],
@@ -181,9 +214,11 @@ int32_t hs_recording_add_cracks(hs_recording* recording, int64_t count, const do
 }
 
 int32_t hs_recording_set_history(hs_recording* recording, const char* csv) {
-  return guarded([&] { recording_of(recording).set_history(csv); });
+  return guarded([&] { recording_of(recording).set_history(text_of("csv", csv)); });
 }
 
 int32_t hs_recording_write(hs_recording* recording, const char* viewer, const char* file) {
-  return guarded([&] { write_bytes(file, recording_of(recording).page(bytes_of(viewer))); });
+  return guarded([&] {
+    write_bytes(text_of("file", file), recording_of(recording).page(bytes_of(text_of("viewer", viewer))));
+  });
 }

@@ -33,6 +33,7 @@ class Viewer {
     this.controls = new Controls(this);
     new ResizeObserver(() => picture.resize()).observe(element("stage"));
     await this.setField(this.fields[0]);
+    this.draw();  // what it throws is a problem of the page, which a later draw would not show
     element("message").hidden = true;
   }
 

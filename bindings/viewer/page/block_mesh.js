@@ -47,7 +47,7 @@ class BlockMesh {
     const hidden = -2e30, missing = 2e30;
     for (let b = 0, i = 0; b < blocks.length; ++b, i += 8) {
       const value = values[b], isColoured = Number.isFinite(value) && !(hasGreyFixed && isFixed(blocks[b]));
-      const isShown = blocks[b].isStill ? frame.number < blocks[b].frameCount : present[b] !== 0;
+      const isShown = blocks[b].isStill ? frame.number < blocks[b].frameCount : present[b] === 1;
       states[i + 3] = !isShown ? hidden : isColoured ? value : missing;
       if (blocks[b].isStill) continue;
       states[i] = x[b];

@@ -118,6 +118,6 @@ const kindNames = ["fixed", "prescribed", "rigid", "affine", "cell of a mesh"];
 
 /** Whether a frame has a block. */
 const isIn = (frame, {number, isStill, frameCount}) =>
-  isStill ? frame.number < frameCount : frame.column("blocks", "present")[number] !== 0;
+  isStill ? frame.number < frameCount : frame.column("blocks", "present")[number] === 1;
 
 const isFixed = (block) => block.kind === 0;

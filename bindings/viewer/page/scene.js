@@ -93,6 +93,7 @@ async function boxOf(recording, blockMesh) {
       }
     }
   }
+  if (all[0].length === 0) throw new Error("There is no block in the first frame, nor in the last one.");
   const bounds = (coordinates, fraction) => {
     const sorted = Float64Array.from(coordinates).sort(), last = sorted.length - 1;
     return [sorted[Math.round(fraction * last)], sorted[Math.round((1 - fraction) * last)]];

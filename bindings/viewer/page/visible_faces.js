@@ -15,7 +15,7 @@ class VisibleFaces {
       normal.toArray(this.normals, 3 * index);
       this.offsets[index] = normal.dot(vectorAt(block.vertices, 3 * face[0]));
     });
-    const triangles = this.sizes.reduce((sum, size) => sum + size - 2, 0);
+    const triangles = this.sizes.reduce((sum, size) => sum + Math.max(size - 2, 0), 0);
     this.index = new THREE.BufferAttribute(new Uint32Array(3 * triangles), 1);
     this.index.usage = THREE.DynamicDrawUsage;
     geometry.setIndex(this.index);

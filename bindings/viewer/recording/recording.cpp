@@ -1,7 +1,9 @@
 #include "recording/recording.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -79,6 +81,44 @@ Point mean_of(const std::vector<Point>& points) {
 
 double square(const Point& vector) { return dot(vector, vector); }
 
+std::string text_of(std::size_t block, const char* what, const double* values, std::size_t count) {
+  std::string text = "block " + std::to_string(block) + ": " + what + " is (";
+  for (std::size_t i = 0; i < count; ++i) {
+    char digits[32];
+    text += (i > 0 ? ", " : "") + std::string(digits, std::to_chars(digits, digits + 32, values[i]).ptr);
+  }
+  return text + ')';
+}
+
+/// The page computes with floats, also squares of coordinates.
+void require_place(std::size_t block, const char* what, const Point& point) {
+  const double limit = std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
+  for (const double coordinate : point)
+    if (!(std::abs(coordinate) < limit))
+      throw std::invalid_argument(text_of(block, what, point.data(), 3) + "; allowed: below " + json(limit));
+}
+
+void require_shape(std::size_t block, const BlockShape& shape) {
+  for (const Point& vertex : shape.vertices) require_place(block, "a vertex", vertex);
+  for (const std::vector<int>& face : shape.faces) {
+    if (face.empty())
+      throw std::invalid_argument("block " + std::to_string(block) + ": a face has no vertices");
+    for (const int vertex : face)
+      if (vertex < 0 || static_cast<std::size_t>(vertex) >= shape.vertices.size())
+        throw std::invalid_argument("block " + std::to_string(block) + ": a face has vertex " +
+                                    std::to_string(vertex) +
+                                    "; vertices: " + std::to_string(shape.vertices.size()));
+  }
+}
+
+/// The quaternion of length 1 that is the same rotation.
+Quaternion unit(std::size_t block, const Quaternion& q) {
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (!(length > 0 && std::isfinite(length)))
+    throw std::invalid_argument(text_of(block, "the rotation", q.data(), 4) + "; allowed: a quaternion");
+  return {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
+}
+
 }  // namespace
 
 Recording::Recording(int dimension, std::string title)
@@ -91,14 +131,17 @@ Recording::Recording(int dimension, std::string title)
 
 std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
   if (!frame_counts_.empty()) throw std::logic_error("a block that moves was added after a still block");
+  require_shape(blocks_.size(), shape);
+  require_place(blocks_.size(), "the position", pose.position);
+  const Quaternion rotation = unit(blocks_.size(), pose.rotation);
+  if (!has_origin_) origin_ = pose.position;
+  has_origin_ = has_origin_ || !shape.vertices.empty();
   Block block;
-  const auto is_bare = [](const Block& other) { return other.shape.vertices.empty(); };
-  if (std::all_of(blocks_.begin(), blocks_.end(), is_bare)) origin_ = pose.position;
   block.shape = std::move(shape);
-  block.turn = turn_of(pose.rotation, {});
+  block.turn = turn_of(rotation, {});
   for (Point& vertex : block.shape.vertices) {
     for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] -= pose.position[axis];
-    vertex = rotated(inverse(pose.rotation), vertex);
+    vertex = rotated(inverse(rotation), vertex);
   }
   if (deforms(block.shape)) {
     block.first_node = static_cast<int>(node_count_);
@@ -109,6 +152,7 @@ std::size_t Recording::add_block(BlockShape shape, const Pose& pose) {
 }
 
 std::size_t Recording::add_still_block(BlockShape shape) {
+  require_shape(blocks_.size(), shape);
   blocks_.push_back({.shape = std::move(shape)});
   frame_counts_.push_back(UINT32_MAX);
   return blocks_.size() - 1;
@@ -160,6 +204,7 @@ void Recording::make_tables() {
 }
 
 void Recording::add_frame(double time) {
+  if (!std::isfinite(time)) throw std::invalid_argument("time is " + std::to_string(time));
   if (times_.empty()) make_tables();
   if (frames_in_group_ == frames_per_group_) pack_group();
   times_.push_back(time);
@@ -168,18 +213,21 @@ void Recording::add_frame(double time) {
 }
 
 void Recording::set_rigid(std::size_t block, const Pose& pose) {
+  require_place(block, "the position", pose.position);
+  const Quaternion rotation = unit(block, pose.rotation);
   of_blocks_.set(present, block, 1);
   std::size_t column = first_coordinate;
   const Point position = from_origin(pose.position);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
     of_blocks_.set(column++, block, position[axis]);
   Point& turn = blocks_[block].turn;
-  turn = turn_of(pose.rotation, turn);
+  turn = turn_of(rotation, turn);
   for (std::size_t axis = dimension_ == 2 ? 2 : 0; axis < 3; ++axis)
     of_blocks_.set(column++, block, turn[axis]);
 }
 
 void Recording::set_deformed(std::size_t block, const std::vector<Point>& vertices) {
+  for (const Point& vertex : vertices) require_place(block, "a vertex", vertex);
   set_rigid(block, {.position = mean_of(vertices)});
   const auto first = static_cast<std::size_t>(blocks_[block].first_node);
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -196,7 +244,7 @@ void Recording::set_vertices(std::size_t block, const std::vector<Point>& vertic
                              " vertices in a frame, and " + std::to_string(at_start.size()) +
                              " in the first one");
   if (blocks_[block].first_node >= 0) return set_deformed(block, vertices);
-  const Point now = mean_of(vertices), from_centroid = rotated(rotation, mean_of(at_start));
+  const Point now = mean_of(vertices), from_centroid = rotated(unit(block, rotation), mean_of(at_start));
   set_rigid(block,
             {{now[0] - from_centroid[0], now[1] - from_centroid[1], now[2] - from_centroid[2]}, rotation});
 }
@@ -235,8 +283,9 @@ void Recording::set_contacts(std::vector<ContactForce> contacts) {
 }
 
 void Recording::set_bolt(const BoltForce& bolt) {
+  const std::size_t item = bolt_items_.try_emplace(bolt.number, bolt_items_.size()).first->second;
   std::size_t column = present;
-  const auto set = [&](double value) { of_bolts_.set(column++, bolt.number, value); };
+  const auto set = [&](double value) { of_bolts_.set(column++, item, value); };
   set(1);
   for (const Point& place : {from_origin(bolt.place_a), from_origin(bolt.place_b)})
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) set(place[axis]);

@@ -59,7 +59,9 @@ struct Crack {
 };
 
 /// A run as the viewer shows it. Frames are added in order of time; each group of frames is packed as soon as
-/// it is complete, so that a long run needs little memory.
+/// it is complete, so that a long run needs little memory. Functions refuse what a page cannot show, by a
+/// std::invalid_argument that names the block: places that are no numbers of a float, faces of vertices that
+/// there are not, rotations without an axis.
 class Recording {
  public:
   Recording(int dimension, std::string title);
@@ -94,7 +96,8 @@ class Recording {
 
   int dimension() const { return dimension_; }
   std::size_t block_count() const { return blocks_.size(); }
-  std::size_t vertex_count(std::size_t block) const { return blocks_[block].shape.vertices.size(); }
+  /// A block, with its vertices relative to its first pose or, if it is still, with their positions.
+  const BlockShape& shape(std::size_t block) const { return blocks_[block].shape; }
   std::size_t frame_count() const { return times_.size(); }
 
   /// The recording as one page of HTML, which fetches nothing.
@@ -105,7 +108,7 @@ class Recording {
 
  private:
   struct Block {
-    BlockShape shape;     ///< with vertices relative to the first pose; if it is still, with positions
+    BlockShape shape;     ///< as shape() returns it
     Point turn{};         ///< rotation vector in the last frame
     int first_node = -1;  ///< of a block that deforms
   };
@@ -126,6 +129,7 @@ class Recording {
   std::string title_;
   Point
       origin_{};  ///< of all stored positions, so that floats have their digits also far from that of the run
+  bool has_origin_ = false;  ///< a block with vertices
   std::vector<Block> blocks_;
   std::vector<std::size_t>
       frame_counts_;  ///< of the still blocks, which come last: frames until their removal
@@ -138,6 +142,7 @@ class Recording {
   std::vector<Crack> cracks_;
   std::string history_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::size_t> contact_items_;  ///< of the group
+  std::map<std::size_t, std::size_t> bolt_items_;                                           ///< by number
   std::size_t frames_in_group_ = 0, frames_per_group_ = 1;
   std::vector<std::string> groups_;
 };

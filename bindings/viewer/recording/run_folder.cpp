@@ -21,30 +21,46 @@ constexpr std::size_t max_materials = 4096;
 /// The part of a frame that is one block: its cells and its points, both consecutive.
 struct BlockPart {
   std::size_t number = 0;
-  std::size_t first_cell = 0, cell_count = 0;
-  std::size_t first_point = 0, point_count = 0;
+  std::size_t first_cell = 0, end_cell = 0;
+  std::size_t first_point = 0, end_point = 0;
 };
 
+/// The blocks of a frame, in ascending order, each with points of its own.
 std::vector<BlockPart> parts_of(const VtkFrame& frame) {
   std::vector<BlockPart> parts;
   for (std::size_t c = 0; c < frame.cell_count(); ++c) {
     const std::size_t number = frame.index("block", c);
     const std::vector<std::size_t> points = frame.cell(c);
-    if (points.empty()) continue;
+    if (points.empty()) throw std::runtime_error(frame.file() + ": a face has no vertices");
     const auto [low, high] = std::minmax_element(points.begin(), points.end());
     if (parts.empty() || parts.back().number != number)
       parts.push_back({.number = number, .first_cell = c, .first_point = *low});
     BlockPart& part = parts.back();
-    ++part.cell_count;
+    part.end_cell = c + 1;
     part.first_point = std::min(part.first_point, *low);
-    part.point_count = std::max(part.point_count, *high + 1 - part.first_point);
+    part.end_point = std::max(part.end_point, *high + 1);
   }
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    if (parts[i].number < parts[i - 1].number || parts[i].first_point < parts[i - 1].end_point)
+      throw std::runtime_error(frame.file() + ": its blocks are not in order at block " +
+                               std::to_string(parts[i].number));
   return parts;
 }
 
 std::vector<Point> vertices_of(const VtkFrame& frame, const BlockPart& part) {
-  const auto begin = frame.points().begin() + static_cast<std::ptrdiff_t>(part.first_point);
-  return {begin, begin + static_cast<std::ptrdiff_t>(part.point_count)};
+  const auto at = [&](std::size_t point) {
+    return frame.points().begin() + static_cast<std::ptrdiff_t>(point);
+  };
+  return {at(part.first_point), at(part.end_point)};
+}
+
+/// A point of a cell that has at least so many.
+Point point_of(const VtkFrame& frame, std::size_t cell, std::size_t index) {
+  const std::vector<std::size_t> points = frame.cell(cell);
+  if (index >= points.size())
+    throw std::runtime_error(frame.file() + ": cell " + std::to_string(cell) + " has " +
+                             std::to_string(points.size()) + " points");
+  return frame.points()[points[index]];
 }
 
 Quaternion rotation_of(const VtkFrame& frame, std::size_t cell) {
@@ -71,63 +87,67 @@ std::vector<Component> components_of(int dimension) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& folder) : folder_(folder) {}
+  Reader(const RunFiles& files, const std::string& folder) : files_(files), folder_(folder) {}
 
   Recording read() {
     const auto frames = collection("run.pvd");
-    if (frames.empty()) throw std::runtime_error((folder_ / "run.pvd").string() + " has no frames");
-    const VtkFrame start((folder_ / frames[0].second).string());
+    if (frames.empty()) throw std::runtime_error(path_of("run.pvd") + " has no frames");
+    const VtkFrame start = frame(frames[0].second);
     Recording recording(start.has("angle") ? 2 : 3, title());
     const auto terrains = collection("terrain.pvd");
     read_blocks(start, recording);
-    if (!terrains.empty()) add_blocks(VtkFrame((folder_ / terrains[0].second).string()), true, recording);
+    if (!terrains.empty()) add_blocks(frame(terrains[0].second), true, recording);
     const auto contacts = collection("contacts.pvd"), bolts = collection("bolts.pvd"),
                waters = collection("water.pvd");
     auto next_terrain = terrains.begin();
     for (std::size_t f = 0; f < frames.size(); ++f) {
       recording.add_frame(frames[f].first);
-      add_motion(VtkFrame((folder_ / frames[f].second).string()), recording);
+      add_motion(frame(frames[f].second), recording);
       for (; next_terrain != terrains.end() && next_terrain->first <= frames[f].first; ++next_terrain)
-        remove_missing(VtkFrame((folder_ / next_terrain->second).string()), recording);
-      if (f < contacts.size()) add_contacts(VtkFrame((folder_ / contacts[f].second).string()), recording);
-      if (f < bolts.size()) add_bolts(VtkFrame((folder_ / bolts[f].second).string()), recording);
-      if (f < waters.size()) set_water(VtkFrame((folder_ / waters[f].second).string()), recording);
+        remove_missing(frame(next_terrain->second), recording);
+      if (f < contacts.size()) add_contacts(frame(contacts[f].second), recording);
+      if (f < bolts.size()) add_bolts(frame(bolts[f].second), recording);
+      if (f < waters.size()) set_water(frame(waters[f].second), recording);
     }
     read_cracks(recording);
-    if (fs::exists(folder_ / "history.csv"))
-      recording.set_history(bytes_of((folder_ / "history.csv").string()));
+    if (const auto history = files_("history.csv")) recording.set_history(*history);
     return recording;
   }
 
  private:
-  std::vector<std::pair<double, std::string>> collection(const char* name) const {
-    if (std::string(name) != "run.pvd" && !fs::exists(folder_ / name)) return {};
-    return read_collection((folder_ / name).string());
+  std::string path_of(const std::string& name) const { return (fs::path(folder_) / name).string(); }
+
+  VtkFrame frame(const std::string& name) const {
+    const std::optional<std::string> content = files_(name);
+    if (!content) throw std::runtime_error("cannot read " + path_of(name));
+    return VtkFrame(*content, path_of(name));
   }
+
+  std::vector<std::pair<double, std::string>> collection(const char* name) const {
+    return read_collection(files_(name).value_or(""));
+  }
+
+  Csv table(const char* name) const { return Csv(files_(name).value_or("")); }
 
   /// The title of the scene, which the summary begins with, or the name of the folder.
   std::string title() const {
     const std::string begin = "scene ";
-    const fs::path summary = folder_ / "summary.txt";
-    if (!fs::exists(summary)) return folder_.filename().string();
-    const std::string text = bytes_of(summary.string());
+    const std::string text = files_("summary.txt").value_or("");
     const std::string line = text.substr(0, text.find('\n'));
     const std::size_t place = line.find_first_not_of(' ', begin.size());
     return line.starts_with(begin) && place != std::string::npos ? line.substr(place)
-                                                                 : folder_.filename().string();
+                                                                 : fs::path(folder_).filename().string();
   }
 
   void read_blocks(const VtkFrame& start, Recording& recording) {
     std::vector<std::string> materials(max_materials);
-    if (fs::exists(folder_ / "blocks.csv")) {
-      const Csv table(bytes_of((folder_ / "blocks.csv").string()));
-      for (std::size_t row = 0; row < table.row_count(); ++row) {
-        names_.push_back(table.text(row, "name"));
-        number_of_name_.emplace(names_.back(), row);
-        const double material = table.number(row, "material_number");
-        if (material >= 0 && material < max_materials)
-          materials[static_cast<std::size_t>(material)] = table.text(row, "material");
-      }
+    const Csv blocks = table("blocks.csv");
+    for (std::size_t row = 0; row < blocks.row_count(); ++row) {
+      names_.push_back(blocks.text(row, "name"));
+      number_of_name_.emplace(names_.back(), row);
+      const double material = blocks.number(row, "material_number");
+      if (material >= 0 && material < max_materials)
+        materials[static_cast<std::size_t>(material)] = blocks.text(row, "material");
     }
     while (!materials.empty() && materials.back().empty()) materials.pop_back();
     recording.set_material_names(materials);
@@ -136,6 +156,9 @@ class Reader {
 
   void add_blocks(const VtkFrame& start, bool are_still, Recording& recording) {
     for (const BlockPart& part : parts_of(start)) {
+      if (part.number > std::max(recording.block_count(), names_.size()))
+        throw std::runtime_error(start.file() +
+                                 " has a block that blocks.csv is without: " + std::to_string(part.number));
       // Blocks that the first frame is without keep their numbers, and have no vertices.
       while (recording.block_count() < part.number) {
         BlockShape missing{.name = name_of(recording.block_count())};
@@ -145,7 +168,8 @@ class Reader {
           recording.add_block(std::move(missing), {});
       }
       if (recording.block_count() != part.number)
-        throw std::runtime_error("the blocks of the first frame are not in order");
+        throw std::runtime_error(start.file() +
+                                 " has a block that is recorded already: " + std::to_string(part.number));
       add_block(start, part, are_still, recording);
     }
   }
@@ -153,9 +177,17 @@ class Reader {
   /// Removes the still blocks that a frame of the terrain is without.
   static void remove_missing(const VtkFrame& terrain, Recording& recording) {
     std::vector<bool> is_there(recording.block_count());
-    for (const BlockPart& part : parts_of(terrain)) is_there.at(part.number) = true;
+    for (const BlockPart& part : parts_of(terrain)) is_there[known(terrain, part.number, recording)] = true;
     for (std::size_t block = recording.block_count(); block-- > 0 && recording.is_still(block);)
       if (!is_there[block]) recording.remove_still_block(block);
+  }
+
+  /// A number in a frame. @throws std::runtime_error if the recording has no such block
+  static std::size_t known(const VtkFrame& frame, std::size_t block, const Recording& recording) {
+    if (block >= recording.block_count())
+      throw std::runtime_error(frame.file() +
+                               " has a block that the first frame is without: " + std::to_string(block));
+    return block;
   }
 
   std::string name_of(std::size_t block) const {
@@ -164,12 +196,12 @@ class Reader {
 
   void add_block(const VtkFrame& start, const BlockPart& part, bool is_still, Recording& recording) {
     BlockShape shape{.name = name_of(part.number),
-                     .kind = static_cast<int>(start.value("kind", part.first_cell)),
-                     .material = static_cast<int>(start.value("material", part.first_cell)),
+                     .kind = static_cast<int>(start.index("kind", part.first_cell)),
+                     .material = static_cast<int>(start.index("material", part.first_cell)),
                      .vertices = vertices_of(start, part)};
-    for (std::size_t c = 0; c < part.cell_count; ++c) {
+    for (std::size_t c = part.first_cell; c < part.end_cell; ++c) {
       std::vector<int>& face = shape.faces.emplace_back();
-      for (const std::size_t point : start.cell(part.first_cell + c))
+      for (const std::size_t point : start.cell(c))
         face.push_back(static_cast<int>(point - part.first_point));
     }
     if (is_still) {
@@ -184,10 +216,8 @@ class Reader {
 
   void add_motion(const VtkFrame& frame, Recording& recording) {
     for (const BlockPart& part : parts_of(frame)) {
-      if (part.number >= recording.block_count())
-        throw std::runtime_error("a frame has a block that the first one is without: " +
-                                 std::to_string(part.number));
-      recording.set_vertices(part.number, vertices_of(frame, part), rotation_of(frame, part.first_cell));
+      recording.set_vertices(known(frame, part.number, recording), vertices_of(frame, part),
+                             rotation_of(frame, part.first_cell));
       const auto set = [&](const char* name, const char* unit, double value) {
         recording.set_value(name, unit, part.number, value);
       };
@@ -209,9 +239,9 @@ class Reader {
   static void add_contacts(const VtkFrame& frame, Recording& recording) {
     std::vector<ContactForce> contacts;
     for (std::size_t c = 0; c < frame.cell_count(); ++c)
-      contacts.push_back({.block_a = frame.index("block_a", c),
-                          .block_b = frame.index("block_b", c),
-                          .point = frame.points()[frame.cell(c).at(0)],
+      contacts.push_back({.block_a = known(frame, frame.index("block_a", c), recording),
+                          .block_b = known(frame, frame.index("block_b", c), recording),
+                          .point = point_of(frame, c, 0),
                           .force = frame.vector("force", c),
                           .normal_force = frame.value("normal_force", c)});
     recording.set_contacts(std::move(contacts));
@@ -220,8 +250,8 @@ class Reader {
   static void add_bolts(const VtkFrame& frame, Recording& recording) {
     for (std::size_t c = 0; c < frame.cell_count(); ++c)
       recording.set_bolt({.number = frame.index("bolt", c),
-                          .place_a = frame.points()[frame.cell(c).at(0)],
-                          .place_b = frame.points()[frame.cell(c).at(1)],
+                          .place_a = point_of(frame, c, 0),
+                          .place_b = point_of(frame, c, 1),
                           .tension = frame.value("tension", c),
                           .is_ruptured = frame.value("is_ruptured", c) != 0});
   }
@@ -233,35 +263,45 @@ class Reader {
   }
 
   void read_cracks(Recording& recording) const {
-    if (!fs::exists(folder_ / "cracks.csv")) return;
-    const Csv table(bytes_of((folder_ / "cracks.csv").string()));
-    for (std::size_t row = 0; row < table.row_count(); ++row) {
-      const auto block_a = number_of_name_.find(table.text(row, "block_a"));
-      const auto block_b = number_of_name_.find(table.text(row, "block_b"));
-      if (block_a == number_of_name_.end() || block_b == number_of_name_.end()) continue;
+    const Csv cracks = table("cracks.csv");
+    const auto is_recorded = [&](const auto& named) {
+      return named != number_of_name_.end() && named->second < recording.block_count();
+    };
+    for (std::size_t row = 0; row < cracks.row_count(); ++row) {
+      const auto block_a = number_of_name_.find(cracks.text(row, "block_a"));
+      const auto block_b = number_of_name_.find(cracks.text(row, "block_b"));
+      if (!is_recorded(block_a) || !is_recorded(block_b)) continue;
       recording.add_crack(
-          {.time = table.number(row, "time"),
+          {.time = cracks.number(row, "time"),
            .blocks = {block_a->second, block_b->second},
-           .position = {table.number(row, "x"), table.number(row, "y"), table.number(row, "z")},
-           .normal = {table.number(row, "normal_x"), table.number(row, "normal_y"),
-                      table.number(row, "normal_z")},
-           .area = table.number(row, "area"),
-           .is_shear = table.text(row, "failure") == "shear"});
+           .position = {cracks.number(row, "x"), cracks.number(row, "y"), cracks.number(row, "z")},
+           .normal = {cracks.number(row, "normal_x"), cracks.number(row, "normal_y"),
+                      cracks.number(row, "normal_z")},
+           .area = cracks.number(row, "area"),
+           .is_shear = cracks.text(row, "failure") == "shear"});
     }
   }
 
-  fs::path folder_;
+  const RunFiles& files_;
+  std::string folder_;
   std::vector<std::string> names_;
   std::map<std::string, std::size_t> number_of_name_;
 };
 
 }  // namespace
 
+Recording read_run(const RunFiles& files, const std::string& folder) { return Reader(files, folder).read(); }
+
 Recording read_run(const std::string& folder) {
   if (!fs::is_directory(folder)) throw std::runtime_error("there is no directory " + folder);
   if (!fs::exists(fs::path(folder) / "run.pvd"))
     throw std::runtime_error(folder + " has no run.pvd; it must be the output directory of `halfspace run`");
-  return Reader(fs::weakly_canonical(folder).string()).read();
+  const fs::path whole = fs::weakly_canonical(folder);
+  const RunFiles files = [&](const std::string& name) -> std::optional<std::string> {
+    if (!fs::exists(whole / name)) return std::nullopt;
+    return bytes_of((whole / name).string());
+  };
+  return read_run(files, whole.string());
 }
 
 }  // namespace halfspace::viewer

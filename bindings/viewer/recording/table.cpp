@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "recording/encoding.h"
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_samples = 8192;
-constexpr double negligible = 1e-6;  // over the largest value so far
+constexpr std::size_t max_columns = 255;  // a byte of the page
+constexpr double negligible = 1e-6;       // over the largest value so far
 
 bool is_float(Coding coding) { return coding == Coding::rounded || coding == Coding::coarse; }
 
@@ -158,6 +160,8 @@ Table::Table(std::string name, std::vector<Column> columns)
 std::size_t Table::column(const std::string& name, const std::string& unit) {
   for (std::size_t c = 0; c < columns_.size(); ++c)
     if (columns_[c].name == name) return c;
+  if (columns_.size() == max_columns)
+    throw std::length_error("cannot add the field " + name + ": there are " + std::to_string(max_columns));
   columns_.push_back({.name = name, .unit = unit});
   columns_.back().frames.resize(frame_count_);
   ranges_.emplace_back();

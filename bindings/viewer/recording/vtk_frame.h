@@ -13,9 +13,10 @@ namespace halfspace::viewer {
 /// A file of VTK XML PolyData as runs write it: cells with data at points, all arrays raw.
 class VtkFrame {
  public:
-  /// @throws std::runtime_error that names the file if it cannot be read, or is none of a run
-  explicit VtkFrame(const std::string& file);
+  /// `file` is the name in messages. @throws std::runtime_error that names the file if it is none of a run
+  VtkFrame(const std::string& content, std::string file);
 
+  const std::string& file() const { return file_; }
   const std::vector<Point>& points() const { return points_; }
   std::size_t cell_count() const { return offsets_.size(); }
   /// The points of a cell.
@@ -40,7 +41,7 @@ class VtkFrame {
   std::map<std::string, Array> data_;
 };
 
-/// The times and files of a ParaView collection (.pvd) that a run has written.
-std::vector<std::pair<double, std::string>> read_collection(const std::string& file);
+/// The times and files of a ParaView collection (.pvd) that a run has written, from its content.
+std::vector<std::pair<double, std::string>> read_collection(const std::string& content);
 
 }  // namespace halfspace::viewer

@@ -367,6 +367,15 @@ class Space(SpaceTest):
         self.assertGreater(self.browser.run("return viewer.layers.bars.forces.count"), 0)
 
 
+class Cells(SpaceTest):
+    """Blocks that joints have cut, whose faces have their vertices in any order."""
+    scene = "cells.toml"
+    block_count = 18
+
+    def test_vertices(self):
+        self.check_vertices()
+
+
 class Terrain(SpaceTest):
     scene = "terrain.toml"
     block_count = 9
