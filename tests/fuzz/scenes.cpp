@@ -1,16 +1,22 @@
-// Scene files: whatever the text is, its faults are told, or it gives a model that starts.
+// Scene files: whatever the text is, its faults are told, or it gives a model that starts, and whose frame the viewer
+// shows.
 
 #include "fuzz/bytes.h"
 #include "fuzz/demand.h"
 #include "model/layout.h"
 #include "model/model.h"
 #include "notes/notes.h"
+#include "output/tables.h"
+#include "output/vtk_file.h"
+#include "output/vtk_series.h"
+#include "recording/run_folder.h"
 #include "scene/read_scene.h"
 
 namespace halfspace_fuzz {
 namespace {
 
 using namespace halfspace::cli;
+namespace viewer = halfspace::viewer;
 
 constexpr double many = 300;  // blocks, for a target that is to be run a million times
 
@@ -45,12 +51,33 @@ bool takes_long(const Scene& scene) {
   return blocks > many;
 }
 
+/// The viewer shows the blocks of a frame, with all of their vertices.
+void view(const Scene& scene, const Layout& layout, const Frame& frame) {
+  const std::size_t count = layout.terrain_begin();
+  const viewer::RunFiles files = [&](const std::string& name) -> std::optional<std::string> {
+    if (name == "run.pvd") return vtk_collection(vtk_entry(0, "frame"));
+    if (name == "frame") return vtk_polygons(layout, frame, frame, {0, count});
+    if (name == "blocks.csv") return blocks_table(scene, layout);
+    return std::nullopt;
+  };
+  try {
+    const viewer::Recording recording = viewer::read_run(files, "run");
+    for (std::size_t b = 0; b < recording.block_count(); ++b)
+      demand(recording.shape(b).vertices.size() == frame.blocks[b].vertices.size(),
+             "a block is shown with all of its vertices");
+  } catch (const std::invalid_argument& error) {
+    demand(*error.what() != 0, "a place that no page can show is told");
+  }
+}
+
 void start(const Context& context, const Scene& scene, Layout layout, Faults& faults) {
   try {
     Model model(context, scene, std::move(layout));
     note_start(context, scene, model, faults);
     model.step_towards(scene.duration, 3);
-    demand(model.frame().blocks.size() == model.layout().blocks.size(), "a frame shows all blocks");
+    const Frame frame = model.frame();
+    demand(frame.blocks.size() == model.layout().blocks.size(), "a frame shows all blocks");
+    view(scene, model.layout(), frame);
   } catch (const LibraryError& error) {
     demand(*error.what() != 0, "an error has a text");
   }
