@@ -275,6 +275,9 @@ int main_of(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return halfspace::cli::main_of(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "halfspace: %s\n", hs_status_string(HS_ERROR_OUT_OF_MEMORY));
+    return halfspace::cli::exit_failed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "halfspace: %s\n", error.what());
     return halfspace::cli::exit_failed;

@@ -2,6 +2,7 @@
 import math
 import random
 import re
+import resource
 import struct
 import zlib
 
@@ -73,12 +74,16 @@ def frame_blocks(path):
     return vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("block")).tolist()
 
 
-def png_of_16_bits(rows):
+def png(columns, rows, bits, lines):
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    header = struct.pack(">IIBBBBB", columns, rows, bits, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines, 9)) + chunk(b"IEND", b"")
+
+
+def png_of_16_bits(rows):
     lines = b"".join(b"\0" + struct.pack(f">{len(row)}H", *row) for row in rows)
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 16, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b"")
+    return png(len(rows[0]), len(rows), 16, lines)
 
 
 class Terrain(SceneTest):
@@ -186,6 +191,21 @@ class Terrain(SceneTest):
             keys += "lowest = 0\nhighest = 1\n" if name.endswith("png") else ""
             self.check_fault(head + TERRAIN.format(file=name, depth=1) + keys + block("box", (0, 0, 1), (1, 1, 2)),
                              r"terrain\[0\]\.file: " + fault)
+        grid = "spacing = 1\nlowest = 0\nhighest = 1\n"
+        for image, fault in (
+            (png(60000, 60000, 16, b""), "60000 x 60000 pixels, more than a file of 65 bytes can hold"),
+            (png(10**6, 10**6, 1, b""), "1000000 x 1000000 pixels, more than a file of 65 bytes can hold"),
+            (png(4096, 4096, 1, bytes(513 * 4096)), "4096 x 4096 pixels, with two triangles each; allowed: at most 10000000 blocks"),
+        ):
+            (self.directory / "large.png").write_bytes(image)
+            self.check_fault(head + TERRAIN.format(file="large.png", depth=1) + grid, r"terrain\[0\]\.file: large\.png: " + fault)
+        with open(self.directory / "large.stl", "wb") as file:
+            file.truncate(2**40)  # a hole, which takes no space
+        limits = resource.getrlimit(resource.RLIMIT_AS)
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_AS, limits)
+        resource.setrlimit(resource.RLIMIT_AS, (2**36, limits[1]))
+        self.check_fault(head + TERRAIN.format(file="large.stl", depth=1),
+                         r"terrain\[0\]\.file: cannot read .*large\.stl: there is no memory for its 1099511627776 bytes")
         self.check_fault(head + TERRAIN.format(file="none.obj", depth=1), r"terrain\[0\]\.file: cannot read .*none\.obj")
         self.check_fault(head + TERRAIN.format(file="t.csv", depth=0) + "spacing = 1\n", r"terrain\[0\]\.depth: out of range: 0")
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -78,7 +77,18 @@ std::string content_of(const std::string& file) {
   if (fs::is_directory(file, unreadable))
     throw std::runtime_error("cannot read " + file + ": it is a directory");
   std::ifstream stream(file, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  std::string content;
+  // A file larger than the memory is refused before it is read; streams have no size.
+  const std::uintmax_t size = fs::is_regular_file(file, unreadable) ? fs::file_size(file, unreadable) : 0;
+  try {
+    content.reserve(size);
+  } catch (const std::exception&) {
+    throw std::runtime_error("cannot read " + file + ": there is no memory for its " + std::to_string(size) +
+                             " bytes");
+  }
+  char part[1 << 16];
+  while (stream.read(part, sizeof part), stream.gcount() > 0)
+    content.append(part, static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + file);
   return content;
 }

@@ -173,7 +173,8 @@ void Recording::make_tables() {
   for (std::size_t b = 0; b < moving_count(); ++b) sizes.push_back(size_of(blocks_[b].shape.vertices));
   std::sort(sizes.begin(), sizes.end());
   const double size = sizes.empty() ? 0 : sizes[sizes.size() / 10];
-  const double step = std::exp2(std::floor(std::log2((size > 0 ? size : 1) / positions_per_size)));
+  const double of_size = std::exp2(std::floor(std::log2((size > 0 ? size : 1) / positions_per_size)));
+  const double step = std::max<double>(of_size, std::numeric_limits<float>::min());  // of the page's numbers
   // Near the first block, at a round number: 0 for a run that is at most some hundreds of blocks from it.
   const double spacing = steps_per_origin * step;
   for (double& coordinate : origin_) coordinate = spacing * std::round(coordinate / spacing);
