@@ -5,6 +5,7 @@
 #include "geometry/polyhedron/facets.h"
 #include "geometry/polyhedron/fit_plane.h"
 #include "geometry/polyhedron/fit_polyhedron.h"
+#include "geometry/polyhedron/support_tree.h"
 #include "polyhedra.h"
 
 using namespace halfspace;
@@ -180,4 +181,60 @@ TEST_CASE("a plane fitted to a long and narrow face keeps its digits") {
   const FittedPlane fitted = fit_plane(points, normal + 0.05 * across + 0.05 * along);
   CHECK(fitted.deviation <= 1e-15);
   CHECK((fitted.plane.normal - normal).norm() <= 1e-9);  // rounding over the width
+}
+
+TEST_CASE("a prism of many sides is its outlines, whether its faces are whole or in triangles") {
+  const int sides = GENERATE(63, 65, 2000);
+  const bool is_in_triangles = GENERATE(false, true);
+  CAPTURE(sides, is_in_triangles);
+  Polyhedron prism(std::pmr::get_default_resource());
+  for (const double z : {0.0, 1.0})
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * M_PI * i / sides;
+      prism.vertices.push_back({std::cos(angle), std::sin(angle), z});
+    }
+  const auto add = [&](const std::vector<int>& loop) {
+    for (std::size_t i = 1; is_in_triangles && i + 1 < loop.size(); ++i) {
+      for (const int v : {loop[0], loop[i], loop[i + 1]}) prism.append_corner(v);
+      prism.end_face();
+    }
+    if (is_in_triangles) return;
+    for (const int v : loop) prism.append_corner(v);
+    prism.end_face();
+  };
+  std::vector<int> lower, upper;
+  for (int i = 0; i < sides; ++i) {
+    lower.push_back(sides - 1 - i);
+    upper.push_back(sides + i);
+  }
+  add(lower);
+  add(upper);
+  for (int i = 0; i < sides; ++i) add({i, (i + 1) % sides, sides + (i + 1) % sides, sides + i});
+  const FitReport report = fit_polyhedron(prism, 0);
+  REQUIRE(report.fault.fault == Fault::none);
+  CHECK(report.moved == 0);
+  CHECK(prism.face_count() == sides + 2);
+  CHECK(prism.vertex_count() == 2 * sides);
+  CHECK(check_polyhedron(prism).fault == Fault::none);
+  const double area = 0.5 * sides * std::sin(2 * M_PI / sides);
+  CHECK(shape_of(prism).volume() == Approx(area).epsilon(1e-12));
+}
+
+TEST_CASE("a tree of boxes finds the highest point that a scan finds") {
+  Random random(7);
+  const int count = GENERATE(1, 64, 65, 1000);
+  Cloud points = random_cloud(random, count, GENERATE(0.0, 1.0), 1);
+  for (std::size_t i = 0; i < points.size() / 2; ++i) points[i].z() = 1;  // many equals
+  const SupportTree tree(points, std::pmr::get_default_resource());
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vector<3> normal = trial == 0 ? Vector<3>(0, 0, 1) : random_direction(random);
+    const auto height = [&](const Vector<3>& p) { return normal.dot(p) - 0.5; };
+    HighestPoint wanted;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (height(points[i]) > wanted.height) wanted = {height(points[i]), std::int64_t(i)};
+    const HighestPoint found = tree.highest(normal, -HUGE_VAL, height);
+    CHECK(found.point == wanted.point);
+    CHECK(found.height == wanted.height);
+    if (wanted.height > 0) CHECK(tree.highest(normal, 0, height).point == wanted.point);
+  }
 }

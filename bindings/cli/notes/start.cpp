@@ -18,8 +18,10 @@ double thickness_of(const Context& context, const Shape& shape) {
   double thickness = std::numeric_limits<double>::infinity();
   for (const HalfSpace& face : halfspaces_of(context, shape)) {
     double farthest = 0;
-    for (const Point& p : vertices)
+    for (const Point& p : vertices) {
       farthest = std::max(farthest, face.offset - dot(face.normal, minus(p, centroid)));
+      if (farthest >= thickness) break;  // the other vertices change nothing
+    }
     thickness = std::min(thickness, farthest);
   }
   return thickness;

@@ -6,6 +6,7 @@
 
 #include "geometry/box.h"
 #include "geometry/polyhedron/facets.h"
+#include "geometry/polyhedron/support_tree.h"
 #include "geometry/polyhedron/surface.h"
 #include "geometry/polyhedron/topology.h"
 #include "geometry/unit_vector.h"
@@ -93,10 +94,10 @@ PolyhedronFault check_vertices_and_surface(const Polyhedron& p) {
   return first_coinciding(p);
 }
 
-/// Convex by definition: all vertices are behind all planes. Quadratic in the size, but without a search that
-/// relies on convexity.
+/// Convex by definition: all vertices are behind all planes, by a search that does not rely on convexity.
 PolyhedronFault first_misplaced(const Polyhedron& p) {
   const double tolerance = flatness_tolerance(largest_coordinate(p.vertices));
+  const SupportTree vertices(p.vertices, p.memory());
   for (std::int32_t f = 0; f < p.face_count(); ++f) {
     const Vector<3>& normal = p.normals[std::size_t(f)];
     const Vector<3>& origin = p.corner(f, 0);
@@ -104,12 +105,11 @@ PolyhedronFault first_misplaced(const Polyhedron& p) {
     if (own.highest - own.lowest > 2 * tolerance) return {Fault::face_not_plane, own.vertex, f};
 
     const double plane = 0.5 * (own.lowest + own.highest);
-    Heights all;
-    for (std::size_t v = 0; v < p.vertices.size(); ++v) {
-      all.add(normal.dot(p.vertices[v] - origin) - plane, std::int64_t(v));
-    }
-    if (all.highest > tolerance) return {Fault::vertex_outside_face, all.vertex, f};
-    if (all.lowest >= -tolerance) return {Fault::zero_volume, -1, f};
+    const auto height = [&](const Vector<3>& v) { return normal.dot(v - origin) - plane; };
+    const HighestPoint highest = vertices.highest(normal, tolerance, height);
+    if (highest.height > tolerance) return {Fault::vertex_outside_face, highest.point, f};
+    const auto is_behind = [&](const Vector<3>& v) { return height(v) < -tolerance; };
+    if (std::none_of(p.vertices.begin(), p.vertices.end(), is_behind)) return {Fault::zero_volume, -1, f};
   }
   return {};
 }
@@ -138,8 +138,10 @@ PolyhedronFault first_parallel_neighbours(const Polyhedron& p) {
 PolyhedronFault first_split_face(const Polyhedron& p) {
   const double tolerance = coplanarity_tolerance(largest_coordinate(p.vertices));
   const auto is_in_plane_of = [&](std::int32_t other, std::int32_t face) {
-    const Heights heights = heights_of_loop(p, other, p.corner(face, 0), p.normals[std::size_t(face)]);
-    return heights.lowest >= -tolerance;
+    const Vector<3>&origin = p.corner(face, 0), &normal = p.normals[std::size_t(face)];
+    return std::ranges::all_of(p.loop(other), [&](std::int32_t v) {
+      return normal.dot(p.vertices[std::size_t(v)] - origin) >= -tolerance;
+    });
   };
   return first_coplanar(p, [&](std::int32_t face, std::int32_t neighbour) {
     return is_in_plane_of(neighbour, face) && is_in_plane_of(face, neighbour);

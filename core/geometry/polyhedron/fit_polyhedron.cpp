@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "geometry/box.h"
@@ -9,6 +10,7 @@
 #include "geometry/polyhedron/halfspaces.h"
 #include "geometry/polyhedron/hull.h"
 #include "geometry/polyhedron/merge_facets.h"
+#include "geometry/polyhedron/support_tree.h"
 #include "geometry/polyhedron/surface.h"
 
 namespace halfspace {
@@ -52,10 +54,12 @@ Dent largest_dent(const Polyhedron& surface, const Polyhedron& hull) {
 
 /// The largest distance of a vertex from the planes of its faces, or in front of another plane.
 double deviation_of(const Polyhedron& surface, const MergedFacets& faces) {
+  const SupportTree vertices(surface.vertices, surface.memory());
   double largest = 0;
   for (const FittedPlane& face : faces.planes) {
     largest = std::max(largest, face.deviation);
-    for (const Vector<3>& v : surface.vertices) largest = std::max(largest, -face.plane.depth(v));
+    const auto height = [&](const Vector<3>& v) { return -face.plane.depth(v); };
+    largest = std::max(largest, vertices.highest(face.plane.normal, largest, height).height);
   }
   return largest;
 }
@@ -75,6 +79,11 @@ Array<Array<std::int32_t>> faces_of_vertices(const Polyhedron& surface, const Me
 
 /// A corner moves to the nearest new vertex; any other vertex to the planes of its faces.
 double largest_movement(const Polyhedron& surface, const MergedFacets& faces, const Polyhedron& made) {
+  const auto is_before = [](const Vector<3>& a, const Vector<3>& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  Array<Vector<3>> corners(made.vertices, surface.memory());
+  std::sort(corners.begin(), corners.end(), is_before);
   const Array<Array<std::int32_t>> faces_of = faces_of_vertices(surface, faces);
   double largest = 0;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
@@ -83,11 +92,20 @@ double largest_movement(const Polyhedron& surface, const MergedFacets& faces, co
     if (faces_of[v].size() < 3) {
       for (const std::int32_t face : faces_of[v])
         moved = std::max(moved, std::abs(faces.planes[std::size_t(face)].plane.depth(given)));
+    } else if (std::binary_search(corners.begin(), corners.end(), given, is_before)) {
+      moved = 0;
     } else {
-      for (const Vector<3>& corner : made.vertices) moved = std::min(moved, (corner - given).norm());
+      for (const Vector<3>& corner : corners) moved = std::min(moved, (corner - given).norm());
     }
     largest = std::max(largest, moved);
   }
+  return largest;
+}
+
+std::size_t largest_face(const Polyhedron& polyhedron) {
+  std::size_t largest = 0;
+  for (std::int32_t f = 0; f < polyhedron.face_count(); ++f)
+    largest = std::max(largest, polyhedron.loop(f).size());
   return largest;
 }
 
@@ -95,9 +113,8 @@ double largest_movement(const Polyhedron& surface, const MergedFacets& faces, co
 class Fit {
  public:
   explicit Fit(const Polyhedron& given)
-      : origin_(given.vertices[0]), surface_(moved_by(given, -origin_)), hull_(given.memory()) {
+      : origin_(given.vertices[0]), given_(given, given.memory()), surface_(moved_by(given, -origin_)) {
     turn_outward(surface_);
-    hull_fault_ = convex_hull(given.vertices, hull_);
   }
 
   /// On a fault, not yet with its place, the polyhedron is undefined.
@@ -109,9 +126,12 @@ class Fit {
       report.fault = {Fault::beyond_tolerance, -1, -1};
       return report;
     }
-    // A hull with the same faces needs no fit.
-    if (hull_.face_count() == std::int32_t(faces.planes.size())) {
-      polyhedron = Polyhedron(hull_, hull_.memory());
+    // Convex outlines, or a hull with the same faces, need no fit.
+    if (Polyhedron outlines = outlines_of(given_, faces);
+        largest_face(outlines) > corners_by_hull && complete_polyhedron(outlines).fault == Fault::none) {
+      polyhedron = std::move(outlines);
+    } else if (hull().face_count() == std::int32_t(faces.planes.size())) {
+      polyhedron = Polyhedron(hull(), given_.memory());
     } else {
       report.fault = intersect(faces, polyhedron);
     }
@@ -124,7 +144,7 @@ class Fit {
   /// Reports the deepest dent of a surface that no polyhedron fits within the tolerance. A surface without a
   /// dent above rounding is folded.
   void describe_dent(double rounding, FitReport& report) const {
-    const Dent dent = largest_dent(surface_, moved_by(hull_, -origin_));
+    const Dent dent = largest_dent(surface_, moved_by(hull(), -origin_));
     if (!(dent.depth > rounding)) {
       report.fault = {Fault::vertex_outside_face, -1, -1};
       return;
@@ -144,9 +164,14 @@ class Fit {
     }
   }
 
-  const PolyhedronFault& hull_fault() const { return hull_fault_; }
+  PolyhedronFault hull_fault() const {
+    hull();
+    return hull_fault_;
+  }
 
  private:
+  /// qhull takes some n^2 steps for a face of n corners, so that larger ones are taken as they are given.
+  static constexpr std::size_t corners_by_hull = 64;
   static constexpr double growth = 1.05;
 
   /// To two significant digits, for the error text.
@@ -154,6 +179,11 @@ class Fit {
     if (!(value > 0)) return 0;
     const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
     return std::ceil(value / unit) * unit;
+  }
+
+  const Polyhedron& hull() const {
+    if (!hull_) hull_fault_ = convex_hull(given_.vertices, hull_.emplace(given_.memory()));
+    return *hull_;
   }
 
   PolyhedronFault intersect(const MergedFacets& faces, Polyhedron& polyhedron) const {
@@ -169,9 +199,10 @@ class Fit {
   }
 
   Vector<3> origin_;
+  Polyhedron given_;
   Polyhedron surface_;  // relative to its first vertex, so that planes stay accurate far from the origin
-  Polyhedron hull_;
-  PolyhedronFault hull_fault_;
+  mutable std::optional<Polyhedron> hull_;  // computed when it is read first
+  mutable PolyhedronFault hull_fault_;
 };
 
 FitReport fit(Polyhedron& polyhedron, double tolerance) {

@@ -19,4 +19,8 @@ struct MergedFacets {
 /// infinite deviation. Requires a closed surface with counter-clockwise loops.
 MergedFacets merge_facets(const Polyhedron& surface, double tolerance);
 
+/// The surface with the outlines of its faces in place of facets, and no vertex that has fewer than three
+/// faces. A face with a hole, of which one outline is taken, leaves a surface that is not closed.
+Polyhedron outlines_of(const Polyhedron& surface, const MergedFacets& faces);
+
 }  // namespace halfspace

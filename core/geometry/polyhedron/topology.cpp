@@ -51,9 +51,12 @@ void HalfEdges::find_twins() {
 }
 
 std::int32_t HalfEdges::only_one(std::int32_t from, std::int32_t to) const {
+  // A vertex has as many half-edges that arrive as leave: one of each per face.
+  const bool is_short = leaving(from).size() <= leaving(to).size();
   std::int32_t found = -1;
-  for (const std::int32_t h : leaving(from)) {
-    if (end(h) != to) continue;
+  for (const std::int32_t at_vertex : leaving(is_short ? from : to)) {
+    const std::int32_t h = is_short ? at_vertex : previous(at_vertex);
+    if (start(h) != from || end(h) != to) continue;
     if (found >= 0) return -1;
     found = h;
   }
