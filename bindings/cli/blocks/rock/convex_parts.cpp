@@ -1,17 +1,16 @@
 #include "blocks/rock/convex_parts.h"
 
 #include <algorithm>
-#include <optional>
+#include <cstdint>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
 #include <utility>
+
+#include "blocks/rock/corner_tree.h"
 
 namespace halfspace::cli {
 namespace {
-
-/// Corners of a part, as indices of the polygon's corners, counter-clockwise.
-using Loop = std::vector<std::size_t>;
-
-/// The sine of a turn below which a corner is straight.
-constexpr double straight = 1e-9;
 
 class Division {
  public:
@@ -23,107 +22,141 @@ class Division {
     clip_ears();
     merge();
     std::vector<std::vector<Point>> parts;
-    for (const Loop& loop : loops_) {
+    for (std::size_t loop = 0; loop < first_of_loop_.size(); ++loop) {
+      if (merged_into_[loop] != loop) continue;
       std::vector<Point>& part = parts.emplace_back();
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (turn_at(loop, i) > straight) part.push_back(corners_[loop[i]]);
-      }
+      std::size_t e = first_of_loop_[loop];
+      do {
+        const std::size_t corner = edges_[e].start;
+        if (turn(edges_[edges_[e].before].start, corner, end(e)) > straight) part.push_back(corners_[corner]);
+        e = edges_[e].after;
+      } while (e != first_of_loop_[loop]);
     }
     return parts;
   }
 
  private:
+  /// An edge of a part, counter-clockwise, from a corner on.
+  struct Edge {
+    std::size_t start, loop;
+    std::size_t before = 0, after = 0;  ///< edges
+  };
+  /// The ends of an edge between two ears.
+  using Cut = std::pair<std::size_t, std::size_t>;
+
+  /// A corner that may be an ear, by the length of its cut. It counts if its neighbours are still the same.
+  struct Candidate {
+    double cut;
+    std::size_t corner, version;
+
+    bool operator>(const Candidate& other) const {
+      return cut > other.cut || (cut == other.cut && corner > other.corner);
+    }
+  };
+
+  std::size_t end(std::size_t edge) const { return edges_[edges_[edge].after].start; }
+
   /// The sine of the left turn at b on the way from a to c.
   double turn(std::size_t a, std::size_t b, std::size_t c) const {
     const Point before = minus(corners_[b], corners_[a]), after = minus(corners_[c], corners_[b]);
     return cross(before, after)[2] / (length(before) * length(after));
   }
-  double turn_at(const Loop& loop, std::size_t i) const {
-    return turn(loop[(i + loop.size() - 1) % loop.size()], loop[i], loop[(i + 1) % loop.size()]);
-  }
 
-  /// No other corner of the rest is in an ear or on its outline.
-  bool is_ear(const Loop& rest, std::size_t i) const {
-    if (turn_at(rest, i) <= straight) return false;
-    const std::size_t n = rest.size();
-    const std::size_t ear[] = {rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]};
-    return std::none_of(rest.begin(), rest.end(), [&](std::size_t other) {
-      if (std::find(std::begin(ear), std::end(ear), other) != std::end(ear)) return false;
-      for (int k = 0; k < 3; ++k) {
-        const Point edge = minus(corners_[ear[(k + 1) % 3]], corners_[ear[k]]);
-        const Point to_other = minus(corners_[other], corners_[ear[k]]);
-        if (cross(edge, to_other)[2] < -straight * length(edge) * length(to_other)) return false;
-      }
-      return true;
-    });
-  }
-
-  /// The ear with the shortest new edge.
-  std::size_t best_ear(const Loop& rest) const {
-    std::size_t best = rest.size();
-    double shortest = 0;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      const std::size_t n = rest.size();
-      const double cut = length(minus(corners_[rest[(i + 1) % n]], corners_[rest[(i + n - 1) % n]]));
-      if ((best < n && cut >= shortest) || !is_ear(rest, i)) continue;
-      best = i;
-      shortest = cut;
-    }
-    return best;
-  }
-
+  /// Clips the ear with the shortest cut until three corners are left. A corner that is no ear, as another
+  /// one is in it, waits until that has been clipped.
   void clip_ears() {
-    Loop rest;
-    for (std::size_t i = 0; i < corners_.size(); ++i) rest.push_back(i);
-    while (rest.size() > 3) {
-      const std::size_t i = best_ear(rest), n = rest.size();
-      if (i == n) break;  // corners on one line up to rounding: the rest is one part
-      const std::size_t before = rest[(i + n - 1) % n], after = rest[(i + 1) % n];
-      loops_.push_back({before, rest[i], after});
-      cuts_.emplace_back(before, after);
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::size_t count = corners_.size();
+    std::vector<std::size_t> before(count), after(count), version(count, 0);
+    std::vector<std::vector<Candidate>> waiting(count);
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
+    CornerTree rest(corners_);
+    const auto propose = [&](std::size_t corner) {
+      candidates.push(
+          {length(minus(corners_[after[corner]], corners_[before[corner]])), corner, ++version[corner]});
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      before[i] = (i + count - 1) % count;
+      after[i] = (i + 1) % count;
     }
-    loops_.push_back(rest);
+    for (std::size_t i = 0; i < count; ++i) propose(i);
+    std::size_t left = count, last = 0;
+    while (left > 3 && !candidates.empty()) {
+      const Candidate candidate = candidates.top();
+      candidates.pop();
+      const std::size_t ear = candidate.corner, a = before[ear], c = after[ear];
+      if (candidate.version != version[ear] || turn(a, ear, c) <= straight) continue;
+      if (const auto inside = rest.corner_in({a, ear, c})) {
+        waiting[*inside].push_back(candidate);
+        continue;
+      }
+      add_loop({a, ear, c});
+      cuts_.emplace_back(a, c);
+      rest.remove(ear);
+      --left;
+      version[ear] = 0;  // no candidate has it
+      after[a] = c;
+      before[c] = a;
+      propose(a);
+      propose(c);
+      for (const Candidate& waited : waiting[ear]) candidates.push(waited);
+      if (last == ear) last = c;
+    }
+    // More than three if they are on one line up to rounding.
+    std::vector<std::size_t> loop;
+    for (std::size_t corner = last; loop.size() < left; corner = after[corner]) loop.push_back(corner);
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    add_loop(loop);
   }
 
-  /// The loop with an edge from a to b.
-  std::optional<std::size_t> loop_along(std::size_t a, std::size_t b) const {
-    for (std::size_t l = 0; l < loops_.size(); ++l) {
-      for (std::size_t i = 0; i < loops_[l].size(); ++i) {
-        if (loops_[l][i] == a && loops_[l][(i + 1) % loops_[l].size()] == b) return l;
-      }
+  void add_loop(const std::vector<std::size_t>& loop) {
+    const std::size_t first = edges_.size(), count = loop.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      edges_.push_back({.start = loop[i],
+                        .loop = first_of_loop_.size(),
+                        .before = first + (i + count - 1) % count,
+                        .after = first + (i + 1) % count});
     }
-    return std::nullopt;
+    first_of_loop_.push_back(first);
   }
 
   /// A cut joins two ends of an ear: the ear has the edge from `after` to `before`, the other part its
-  /// reverse.
+  /// reverse. Both are merged if they are convex at its ends.
   void merge() {
+    merged_into_.resize(first_of_loop_.size());
+    std::iota(merged_into_.begin(), merged_into_.end(), std::size_t{0});
+    const auto key = [&](std::size_t a, std::size_t b) { return std::uint64_t{a} * corners_.size() + b; };
+    std::unordered_map<std::uint64_t, std::size_t> edge_along;
+    for (std::size_t e = 0; e < edges_.size(); ++e) edge_along[key(edges_[e].start, end(e))] = e;
     for (const auto& [before, after] : cuts_) {
-      const std::size_t ear = *loop_along(after, before), other = *loop_along(before, after);
-      Loop joined = from(loops_[ear], before);
-      const Loop rest = from(loops_[other], after);
-      joined.insert(joined.end(), rest.begin() + 1, rest.end() - 1);
-      bool is_convex = true;
-      for (std::size_t i = 0; i < joined.size(); ++i) {
-        const bool is_end = joined[i] == before || joined[i] == after;
-        if (is_end && turn_at(joined, i) < -straight) is_convex = false;
-      }
-      if (!is_convex) continue;
-      loops_[ear] = std::move(joined);
-      loops_.erase(loops_.begin() + static_cast<std::ptrdiff_t>(other));
+      Edge& of_ear = edges_[edge_along.at(key(after, before))];
+      Edge& of_other = edges_[edge_along.at(key(before, after))];
+      if (turn(edges_[of_other.before].start, before, end(of_ear.after)) < -straight ||
+          turn(edges_[of_ear.before].start, after, end(of_other.after)) < -straight)
+        continue;
+      const std::size_t ear = loop_of(of_ear.loop), other = loop_of(of_other.loop);
+      merged_into_[other] = ear;
+      first_of_loop_[ear] = of_ear.after;
+      join(of_ear.before, of_other.after);
+      join(of_other.before, of_ear.after);
     }
   }
 
-  /// The loop from one of its corners on.
-  static Loop from(Loop loop, std::size_t corner) {
-    std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), corner), loop.end());
+  void join(std::size_t edge, std::size_t after) {
+    edges_[edge].after = after;
+    edges_[after].before = edge;
+  }
+
+  /// The loop into which one has been merged; the way to it becomes shorter.
+  std::size_t loop_of(std::size_t loop) {
+    while (merged_into_[loop] != loop) loop = merged_into_[loop] = merged_into_[merged_into_[loop]];
     return loop;
   }
 
   std::vector<Point> corners_;
-  std::vector<Loop> loops_;
-  std::vector<std::pair<std::size_t, std::size_t>> cuts_;  ///< the ends of each
+  std::vector<Edge> edges_;
+  std::vector<std::size_t> first_of_loop_;  ///< edges
+  std::vector<std::size_t> merged_into_;    ///< loops
+  std::vector<Cut> cuts_;
 };
 
 }  // namespace
