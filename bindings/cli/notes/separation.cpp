@@ -62,7 +62,9 @@ std::vector<ConvexBody> convex_bodies(const Start& start) {
   for (std::size_t i = 0; i < start.layout.blocks.size(); ++i) {
     ConvexBody& body = bodies.emplace_back();
     body.vertices = start.frame.blocks[i].vertices;
-    body.normals = normals_of(body.vertices, start.layout.blocks[i].faces, start.layout.dimension);
+    for (const Point& normal :
+         normals_of(body.vertices, start.layout.blocks[i].faces, start.layout.dimension))
+      body.faces.push_back({normal, reach_along(body, normal).second});
     body.low = {infinity, infinity, infinity};
     body.high = {-infinity, -infinity, -infinity};
     for (const Point& p : body.vertices) {
@@ -81,10 +83,10 @@ double separation(const ConvexBody& a, const ConvexBody& b) {
     if (a.low[axis] == a.high[axis] && b.low[axis] == b.high[axis]) continue;  // 2D
     largest = std::max({largest, a.low[axis] - b.high[axis], b.low[axis] - a.high[axis]});
   }
-  for (const Point& normal : a.normals)
-    largest = std::max(largest, reach_along(b, normal).first - reach_along(a, normal).second);
-  for (const Point& normal : b.normals)
-    largest = std::max(largest, reach_along(a, normal).first - reach_along(b, normal).second);
+  for (const HalfSpace& face : a.faces)
+    largest = std::max(largest, reach_along(b, face.normal).first - face.offset);
+  for (const HalfSpace& face : b.faces)
+    largest = std::max(largest, reach_along(a, face.normal).first - face.offset);
   return largest;
 }
 

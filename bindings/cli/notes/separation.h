@@ -14,8 +14,8 @@ constexpr std::size_t max_compared_blocks = 200'000;
 /// A block as a convex body, at its initial position.
 struct ConvexBody {
   std::vector<Point> vertices;
-  std::vector<Point> normals;  ///< unit length, of its faces
-  Point low{}, high{};         ///< corners of its box
+  std::vector<HalfSpace> faces;  ///< with normals of unit length, and all vertices behind them
+  Point low{}, high{};           ///< corners of its box
 };
 
 /// The convex body of each block of the layout.
