@@ -1,5 +1,5 @@
-// Scene files: whatever the text is, its faults are told, or it gives a model that starts, and whose frame the viewer
-// shows.
+// Scene files: whatever the text is, its faults are told, or it gives a model that starts, and whose frame
+// the viewer shows.
 
 #include "fuzz/bytes.h"
 #include "fuzz/demand.h"

@@ -39,11 +39,12 @@ class Archive {
   void add_each(std::vector<Value>& values, AddOne add_one) {
     std::size_t count = values.size();
     add(count);
-    if (reads_) {
-      require(count <= left(), ends_early);  // each has at least one byte
-      values.resize(count);
+    if (!reads_) {
+      for (Value& value : values) add_one(value);
+      return;
     }
-    for (Value& value : values) add_one(value);
+    values.clear();  // grows with what is read, whatever the count
+    for (; count > 0; --count) add_one(values.emplace_back());
   }
 
   bool reads() const { return reads_; }
