@@ -191,7 +191,7 @@ void World<D>::move_and_load() {
 template <int D>
 void World<D>::end_motion() {
   const double duration = integrator_.duration();
-  hard_contacts_.find_at_end(ledger_);
+  hard_contacts_.find_at_end();
   penetration_bound_.note(hard_contacts_.deepest());
   lap(Pass::hard_contacts);
 

@@ -28,6 +28,35 @@ TEST_CASE("a loss below zero is told, and rounding is not") {
         std::string::npos);
 }
 
+TEST_CASE("no energy is created where the method loses as much, or friction does work in an impact") {
+  hs_world_report report{};
+  report.energy.kinetic = 10;
+  report.energy.contact_damping_loss = -0.25;
+  report.energy.residual = -0.5;
+  CHECK(negative_losses_text(report, 0).empty());
+  report.energy.residual = -0.125;
+  CHECK(!negative_losses_text(report, 0).empty());
+  report.energy.contact_damping_loss = report.energy.residual = 0;
+  report.energy.friction_loss = -0.25;
+  report.impact_loss = 5;
+  CHECK(negative_losses_text(report, 0).empty());
+}
+
+TEST_CASE("a residual above 1 % of the released energy is noted, and rounding is not") {
+  hs_world_report report{};
+  report.energy.gravity = -1e5;
+  report.energy.kinetic = 10;
+  report.energy.residual = 0.09;
+  CHECK(residual_note(report, 0).empty());
+  report.energy.residual = 1.9;
+  CHECK(residual_note(report, 0).find("created 0.19 of the energy released") != std::string::npos);
+  report.energy.residual = -1.9;
+  CHECK(residual_note(report, 0).find("lost 0.19 of the energy released") != std::string::npos);
+  report.energy.kinetic = 1e-5;
+  report.energy.residual = 5e-6;
+  CHECK(residual_note(report, 0).empty());
+}
+
 TEST_CASE("axis steps are 1, 2 or 5 times a power of ten") {
   CHECK(even_step(100, 10) == 10);
   CHECK(even_step(3, 5) == Approx(1.0));

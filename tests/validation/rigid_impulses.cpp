@@ -326,7 +326,9 @@ TEST_CASE("a heap falls and comes to rest, and goes on from any snapshot", "[imp
   CHECK(rises < 1e-4 * (first - before));
   CHECK(depth < 1e-3);
   CHECK(heap.energy().kinetic < 1e-6 * (first - before));
-  CHECK(std::abs(heap.energy().residual) < 1e-9 * (first - before));
+  // What the impulses of a step gain is no loss: the ledger shows these rises.
+  CHECK(heap.energy().residual < 1.001 * rises);
+  CHECK(heap.energy().residual > 0.5 * rises);
 }
 
 TEST_CASE("a wall without springs sleeps where it stands, and wakes when it is hit", "[impulses]") {

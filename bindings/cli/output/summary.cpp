@@ -80,21 +80,31 @@ const char* describe(Outcome outcome) {
   return "";
 }
 
-double released_energy(const hs_world_report& report, double other_losses) {
+constexpr double usual_residual = 0.01;  ///< of the released energy
+
+double released_energy(const hs_world_report& report, double fracture_loss) {
   const hs_energy& energy = report.energy;
-  return other_losses + report.block_strain_energy + report.block_damping_loss + energy.kinetic +
-         energy.strain + energy.friction_loss + energy.contact_damping_loss + energy.local_damping_loss +
-         energy.mass_damping_loss;
+  return fracture_loss + report.impact_loss + report.bolt_loss + report.block_strain_energy +
+         report.block_damping_loss + energy.kinetic + energy.strain + energy.friction_loss +
+         energy.contact_damping_loss + energy.local_damping_loss + energy.mass_damping_loss;
 }
 
-std::string energy_text(const hs_world_report& report, double other_losses) {
-  const hs_energy& energy = report.energy;
-  const double released = released_energy(report, other_losses);
-  std::string text = rounded(energy.residual, 3) + " J";
-  if (released > 0) {
-    text += ", " + rounded(energy.residual / released, 2) + " of the " + rounded(released, 4) + " J released";
-  }
-  return text;
+/// An energy that can be rounding errors of the ledger's sums, over many steps.
+double rounding_energy(const hs_world_report& report, double released) {
+  constexpr double rounding = 1e-9;
+  return rounding * (std::abs(report.energy.gravity) + std::abs(report.energy.outer_work) +
+                     std::abs(report.water_energy) + std::abs(released));
+}
+
+std::string energy_text(const hs_world_report& report, double released) {
+  const double residual = report.energy.residual;
+  const std::string text = rounded(residual, 3) + " J";
+  if (!(released > 0)) return text;
+  const std::string scale = " the " + rounded(released, 4) + " J released";
+  if (std::abs(residual) > usual_residual * released &&
+      std::abs(residual) <= rounding_energy(report, released))
+    return text + ", rounding errors beside" + scale;
+  return text + ", " + rounded(residual / released, 2) + " of" + scale;
 }
 
 /// Empty without bonds.
@@ -178,24 +188,38 @@ std::string scene_lines(const Scene& scene) {
          (scene.settings.empty() ? std::string() : report_line("set", scene.settings));
 }
 
-std::string negative_losses_text(const hs_world_report& report, double other_losses) {
-  constexpr double rounding = 1e-9;  // of the released energy, over many steps
-  const double threshold = -rounding * released_energy(report, other_losses);
+std::string negative_losses_text(const hs_world_report& report, double fracture_loss) {
+  const hs_energy& energy = report.energy;
+  const double rounding = rounding_energy(report, released_energy(report, fracture_loss));
+  // Friction does work in an impact, so that only both losses together are above zero.
   const struct {
     const char* name;
     double loss;
-  } entries[] = {{"friction", report.energy.friction_loss},
-                 {"contact damping", report.energy.contact_damping_loss},
-                 {"local damping", report.energy.local_damping_loss},
-                 {"mass damping", report.energy.mass_damping_loss},
+  } entries[] = {{report.impact_loss == 0 ? "friction" : "friction and impacts",
+                  energy.friction_loss + report.impact_loss},
+                 {"contact damping", energy.contact_damping_loss},
+                 {"local damping", energy.local_damping_loss},
+                 {"mass damping", energy.mass_damping_loss},
                  {"block damping", report.block_damping_loss}};
   std::string text;
+  double created = energy.residual;
   for (const auto& entry : entries) {
-    if (entry.loss < threshold)
-      text += report_line("ENERGY CREATED", std::string("the loss by ") + entry.name + " is " +
-                                                rounded(entry.loss, 3) + " J, below zero");
+    if (entry.loss >= -rounding) continue;
+    created -= entry.loss;
+    text += report_line("ENERGY CREATED", std::string("the loss by ") + entry.name + " is " +
+                                              rounded(entry.loss, 3) + " J, below zero");
   }
-  return text;
+  return created > rounding ? text : std::string();
+}
+
+std::string residual_note(const hs_world_report& report, double fracture_loss) {
+  const double residual = report.energy.residual, released = released_energy(report, fracture_loss);
+  if (!(std::abs(residual) >
+        std::max(usual_residual * std::abs(released), rounding_energy(report, released))))
+    return {};
+  return "note: energy residual: the numerical method has " +
+         std::string(residual > 0 ? "created " : "lost ") + rounded(std::abs(residual / released), 2) +
+         " of the energy released; usual: below 0.01, at a shorter time_step\n";
 }
 
 RunOut run_out(const Frame& start, const Frame& end, int dimension) {
@@ -235,7 +259,6 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
                     const Frame& end, Outcome outcome) {
   const hs_world_report& report = model.report();
   const hs_bond_report bonds = model.bond_report();
-  const double other_losses = bonds.fracture_loss + report.impact_loss + report.bolt_loss;
   const RunOut reach = run_out(start, end, scene.world.dimension);
   return scene_lines(scene) + report_line("outcome", describe(outcome)) +
          report_line("blocks", blocks_text(model.layout(), end)) +
@@ -252,8 +275,8 @@ std::string summary(const Scene& scene, const Model& model, const Peaks& peaks, 
               ? report_line("potential length", rounded(report.potential_length, 6) + " m")
               : std::string()) +
          bonds_text(scene, bonds) + bolts_text(scene, report, end) + impacts_text(report) +
-         report_line("energy residual", energy_text(report, other_losses)) +
-         negative_losses_text(report, other_losses) +
+         report_line("energy residual", energy_text(report, released_energy(report, bonds.fracture_loss))) +
+         negative_losses_text(report, bonds.fracture_loss) +
          report_line("run-out", run_out_text(reach, scene.world.dimension));
 }
 

@@ -40,8 +40,11 @@ struct Peaks {
 std::string scene_lines(const Scene& scene);
 
 /// Lists losses below zero by more than rounding: energy that the method has created, and that the residual
-/// does not show. Empty without any.
-std::string negative_losses_text(const hs_world_report& report, double other_losses);
+/// does not show. Empty without any, and where the residual is as large a loss.
+std::string negative_losses_text(const hs_world_report& report, double fracture_loss);
+
+/// A line with a note on a residual above 1 % of the released energy; empty below.
+std::string residual_note(const hs_world_report& report, double fracture_loss);
 
 /// The results of a run as numbers.
 struct RunFigures {

@@ -367,7 +367,8 @@ RunResult run_scene(const Scene& scene, Model& model, const std::string& notes, 
   const std::chrono::duration<double> took = Clock::now() - before;
   const Frame end = run.record().finish();
   result.summary = summary(scene, model, run.record().peaks(), run.record().start(), end, result.outcome) +
-                   run.stage_lines() + pictures_left(run.record(), result.outcome) + notes;
+                   run.stage_lines() + pictures_left(run.record(), result.outcome) + notes +
+                   residual_note(model.report(), model.bond_report().fracture_loss);
   result.figures = figures_of(model, run.record().peaks(), run.record().start(), end);
   result.timings = timings(model.report(), model.report().steps - steps_before, took.count());
   directory.write("summary.txt", result.summary);

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .constants import StiffnessKind
 from .law import Law
+from .records import WorldReport
 
 #: The usual range of a setting (absolute value or norm), and its text in a note. 0 is usual, too.
 _USUAL: Dict[str, Tuple[float, float, str]] = {
@@ -33,6 +34,8 @@ _USUAL: Dict[str, Tuple[float, float, str]] = {
 }
 _TOLD_FRACTION = 0.01  # fraction of the thickness of the thinnest block
 _SIZE_RATIO = 1e5
+_USUAL_RESIDUAL = 0.01  # fraction of the released energy
+_ROUNDING = 1e-9  # fraction of the ledger's entries, over many steps
 _MOST_BLOCKS = 5000  # limit of a comparison of all pairs
 
 
@@ -177,6 +180,21 @@ def notes_on_impulses(given: Given, boxes: Boxes) -> Iterator[str]:
     rebounds = [f"{name}.restitution" for name, law in given.laws.items() if law.restitution > 0]
     for name in given.of_impulses + rebounds:
         yield f"{name}: no effect: {reason}"
+
+
+def notes_on_energy(report: WorldReport, fracture_loss: float) -> Iterator[str]:
+    """A note on an energy residual above 1 % of the released energy, and above rounding errors of the ledger's sums."""
+    energy = report.energy
+    released = fracture_loss + report.impact_loss + report.bolt_loss + report.block_strain_energy
+    released += report.block_damping_loss + energy.kinetic + energy.strain + energy.friction_loss
+    released += energy.contact_damping_loss + energy.local_damping_loss + energy.mass_damping_loss
+    scale = abs(energy.gravity) + abs(energy.outer_work) + abs(report.water_energy) + abs(released)
+    if abs(energy.residual) > max(_USUAL_RESIDUAL * abs(released), _ROUNDING * scale):
+        yield (
+            f"energy residual: the numerical method has {'created' if energy.residual > 0 else 'lost'} "
+            f"{abs(energy.residual / released):.2g} of the energy released; usual: below {_USUAL_RESIDUAL}, at a "
+            "shorter time_step"
+        )
 
 
 def notes_on_time_step(time_step: Optional[float], stable: float) -> Iterator[str]:

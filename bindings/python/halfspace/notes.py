@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING, Iterator, List
 
 import numpy as np
 
-from .check import Boxes, notes_on_gravity, notes_on_impulses, notes_on_sizes, notes_on_support, notes_on_time_step
+from .check import (
+    Boxes,
+    notes_on_energy,
+    notes_on_gravity,
+    notes_on_impulses,
+    notes_on_sizes,
+    notes_on_support,
+    notes_on_time_step,
+)
 from .constants import BlockKind
 from .context import held
 from .world_tables import unwritten_parts
@@ -22,10 +30,12 @@ _OF_NO_WORLD = ("world.duration: ", "output.")
 def notes_on(world: "World") -> List[str]:
     """The notes of the scene that the world was made of; else those of the scene that describes it."""
     with held(world):
+        energy = list(notes_on_energy(world.report, world.bond_report.fracture_loss))
         if world._notes_of_scene is not None:
-            return list(world._notes_of_scene)
+            return [*world._notes_of_scene, *energy]
         start = _notes_by_tables(world) if unwritten_parts(world) else _notes_of_command(world)
-    return [*start, *(f"{name} made no bond; usual: blocks with a common face" for name in world._given.empty_bonds)]
+    bonds = [f"{name} made no bond; usual: blocks with a common face" for name in world._given.empty_bonds]
+    return [*start, *bonds, *energy]
 
 
 def _notes_of_command(world: "World") -> List[str]:

@@ -37,7 +37,7 @@ class RunResult:
     summary : str
         The text of summary.txt.
     notes : list of str
-        Notes on unusual input.
+        Notes on unusual input, and on an energy residual above 1 % of the released energy.
     directory : pathlib.Path, optional
         Of the output files.
     """

@@ -231,7 +231,7 @@ class Scene(Searches):
                 energy_residual=found.energy_residual,
                 history=read_history(pathlib.Path(directory) / "history.csv"),
                 summary=scene._handle.text(_scene.TEXT_REPORT),
-                notes=scene._handle.text(_scene.TEXT_NOTES).splitlines(),
+                notes=world.check(),
                 directory=None if output is None else pathlib.Path(output),
             )
 

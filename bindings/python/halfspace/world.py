@@ -443,8 +443,8 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def check(self) -> List[str]:
         """Returns notes on unusual input: those of ``halfspace check`` (docs/scenes/notes.md), in the words of scenes,
-        whose angles are in degrees, and on bonds that were not made. Empty if there is nothing unusual; nothing is
-        changed.
+        whose angles are in degrees, on bonds that were not made, and on an energy residual above 1 % of the released
+        energy. Empty if there is nothing unusual; nothing is changed.
 
         Worlds that `Scene.from_world` refuses, as those with meshes, have fewer notes: on values in a wrong unit,
         gravity, support, sizes, the time step, and settings of impulses. For a world from `restore`, gravity,

@@ -4,6 +4,7 @@ import math
 import os
 import pathlib
 import pickle
+import re
 import signal
 import subprocess
 import threading
@@ -199,6 +200,30 @@ def test_faults_name_line_and_key():
         hs.Scene.loads(FALLING, {"world.step": 1})
     with pytest.raises(FileNotFoundError):
         hs.Scene.load("no_such_scene.toml")
+
+
+def test_a_residual_above_1_percent_is_a_note_of_the_run_and_of_its_world():
+    scene = hs.Scene.loads("""
+dimension = 2
+world = { duration = 1, time_step = 0.005 }
+material = [{ name = "stone", density = 2000 }]
+default_law = { stiffness = "per contact", normal_stiffness = 1e4, friction_angle = 35 }
+[[block]]
+name = "floor"
+material = "stone"
+kind = "fixed"
+vertices = [[-9, -1], [9, -1], [9, 0], [-9, 0]]
+[[block]]
+name = "square"
+material = "stone"
+vertices = [[-0.5, 0.4], [0.5, 0.4], [0.5, 1.4], [-0.5, 1.4]]
+""")
+    assert not any("energy residual" in note for note in scene.check())
+    result = scene.run()
+    note = result.notes[-1]
+    assert re.match(r"energy residual: the numerical method has (created|lost) \S+ of the energy released", note)
+    assert result.world.check() == result.notes
+    assert f"note: {note}\n" in result.summary
 
 
 def test_notes_are_those_of_the_command():

@@ -122,9 +122,9 @@ void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 }
 
 template <int D>
-void HardContacts<D>::find_at_end(EnergyLedger& ledger) {
+void HardContacts<D>::find_at_end() {
   has_impact_ = !points_.empty() && rigid_.has_impact();
-  rigid_.find_at_end(together_.shared(), ledger);
+  rigid_.find_at_end(together_.shared());
   points_.find_at_end();
 }
 

@@ -57,7 +57,7 @@ class HardContacts {
   /// Adds the work of the impulses of the first half step to the ledger.
   void apply_position_impulses(EnergyLedger& ledger);
   /// Updates the contacts at the end of the motion, before its second half step: none has an impulse yet.
-  void find_at_end(EnergyLedger& ledger);
+  void find_at_end();
   /// Stops approach at all contacts after the second half step, and adds the work to the ledger.
   void stop_approach(EnergySample& sample, EnergyLedger& ledger);
 

@@ -237,8 +237,8 @@ bool RigidContacts<D>::find_more(double time, double duration) {
 }
 
 /// The work of a contact's impulses, by the velocities before and after them: of the normal ones a loss by
-/// impact, of friction a loss by friction, on prescribed blocks work from outside. A contact at rest gains in
-/// the first half of a step what it loses in the second. Returns the loss by impact.
+/// impact, of friction a loss by friction, on prescribed blocks work from outside. Returns the loss by
+/// impact.
 template <int D>
 double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
   const ImpulseContact<D>& contact = problem_.contacts[c];
@@ -257,14 +257,28 @@ double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
     }
     return work;
   };
-  const double normal_work = work_of(problem_.normals_of(contact));
-  ledger.add_impact_loss(-normal_work);
-  ledger.add_friction_loss(-work_of(problem_.frictions_of(contact)));
+  const double normal_work = work_of(problem_.normals_of(contact)),
+               friction_work = work_of(problem_.frictions_of(contact));
+  impact_loss_ -= normal_work;
+  friction_loss_ -= friction_work;
+  whole_work_ += std::abs(normal_work) + std::abs(friction_work);
   return -normal_work;
+}
+
+/// Contacts at rest gain in the first half of a motion what they lose in the second, so only the losses of a
+/// whole motion count. Friction that does work in an impact lessens the loss by the impact. What impulses
+/// gain together beyond the tolerance of the solver is an error of the method: it is part of the residual.
+template <int D>
+void RigidContacts<D>::book_motion(EnergyLedger& ledger) {
+  const double whole_loss = impact_loss_ + friction_loss_, friction_loss = std::max(friction_loss_, 0.0);
+  const bool makes_energy = whole_loss < -model_.settings.impulse_tolerance * whole_work_;
+  ledger.add_friction_loss(friction_loss);
+  ledger.add_impact_loss(makes_energy ? -friction_loss : whole_loss - friction_loss);
 }
 
 template <int D>
 void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
+  impact_loss_ = friction_loss_ = whole_work_ = 0;
   for (std::size_t c = 0; c < planned_.size(); ++c) planned_[c].impact_loss = book(c, ledger);
 }
 
@@ -315,9 +329,9 @@ bool RigidContacts<D>::has_impact() const {
 }
 
 template <int D>
-void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points, EnergyLedger& ledger) {
+void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) {
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
-  ledger.add_impact_loss(-recover(held_by_points));
+  impact_loss_ -= recover(held_by_points);
   for (const PlannedContact<D>& contact : planned_) {
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);
@@ -352,6 +366,7 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
     planned_[c].impact_loss += book(c, ledger);
     touches_ += planned_[c].is_new;
   }
+  book_motion(ledger);
   replace_known(duration);
   pause_ = solver_.pause();
   planned_.clear();

@@ -83,7 +83,7 @@ class RigidContacts {
 
   void apply_position_impulses(EnergyLedger& ledger);
   /// Blocks that points hold do not recover from penetration: they would be moved into the others.
-  void find_at_end(std::span<const std::size_t> held_by_points, EnergyLedger& ledger);
+  void find_at_end(std::span<const std::size_t> held_by_points);
   /// Makes the impulse problem of the second half, with its motions and targets.
   void set_velocity_targets();
   void end_motion(EnergyLedger& ledger);
@@ -108,6 +108,7 @@ class RigidContacts {
   double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);
+  void book_motion(EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
 
   const Model<D>& model_;
@@ -122,6 +123,8 @@ class RigidContacts {
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
   double duration_ = 0;  // of the last motion
+  // Of all impulses of a motion so far, J: losses, and the sum of the magnitudes of their works.
+  double impact_loss_ = 0, friction_loss_ = 0, whole_work_ = 0;
   std::int64_t touches_ = 0;
   std::int64_t iterations_ = 0;
   double deepest_ = 0;
