@@ -169,7 +169,7 @@ int main_of(int argc, char** argv) {
   safety_command
       ->add_option("--limit", safety_options.limit,
                    "Displacement of a block, in m, that counts as failure; by default ten times the elastic "
-                   "slip of all joints, at most a tenth of the block's size")
+                   "displacement of all joints, from a thousandth to a tenth of the block's size")
       ->check(finite_above_zero());
 
   SweepOptions sweep_options;
@@ -212,9 +212,10 @@ int main_of(int argc, char** argv) {
                    "Final width of the bracket; a thousandth of the bracket by default")
       ->check(finite_above_zero());
   limit_command
-      ->add_option("--limit", limit_arguments.search.limit,
-                   "Displacement of a block, in m, that counts as failure; by default that of `safety` for a "
-                   "tilt, else a tenth of the block's size")
+      ->add_option(
+          "--limit", limit_arguments.search.limit,
+          "Displacement of a block, in m, that counts as failure; by default that of `safety`, and a "
+          "tenth of the block's size in motion")
       ->check(finite_above_zero());
   limit_command->add_flag("--smallest", limit_arguments.search.smallest,
                           "Find the smallest value instead: the scene falls below it");

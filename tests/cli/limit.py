@@ -2,7 +2,7 @@
 import math
 import re
 
-from command import SceneTest, halfspace, main
+from command import SCENES, SceneTest, halfspace, main
 
 BLOCK = """title = "A block on a plane"
 dimension = {dimension}
@@ -111,6 +111,23 @@ class Limit(SceneTest):
             angle = math.atan(0.5 - x / 3 - 2 * force / (1e9 * x**2))
         bracket = self.bracket(in_plane(1, 40), "--tilt", "--limit", 0.2)
         self.assertAlmostEqual(sum(bracket) / 2, math.degrees(angle), delta=0.1)
+
+    def test_a_wedge_that_locks_after_centimetres_has_failed(self):
+        """Forces on both planes over the weight, by equilibrium: 0.4667 and 0.1644, and 0.8509 along their line. The
+        law of one plane has 30 degrees. With too little friction the wedge slides by a hundredth of its size."""
+        exact = math.degrees(math.atan((0.85093 - 0.16439 * math.tan(math.radians(30))) / 0.46674))
+        bracket = self.bracket((SCENES / "wedge.toml").read_text(), "--smallest", "--resolution", 0.2,
+                               "--set", "default_law.friction_angle=40:75")
+        self.assertAlmostEqual(sum(bracket) / 2, exact, delta=0.3)
+
+    def test_the_tilt_of_an_arch_does_not_depend_on_the_time_step(self):
+        """Limit analysis by linear programming: 9.506 degrees. One step of 0.02 s gives 9.30."""
+        for time_step in 0.02, 0.01, 0.005:
+            text = (SCENES / "pointed_arch.toml").read_text().replace("time_step = 0.01", f"time_step = {time_step}")
+            bracket = self.bracket(text, "--tilt", "--low", 5, "--high", 12, "--resolution", 0.02)
+            self.assertAlmostEqual(sum(bracket) / 2, 9.506, delta=0.02)
+            self.assertRegex((self.output / "limit.txt").read_text(),
+                             rf"time step +halved until the result stays within 0\.02: \S+ at {time_step:g} s, \S+ at")
 
     def test_a_block_in_space_topples_over_its_shorter_side(self):
         text = BLOCK.format(dimension=3, gravity=[0, 0, -10], law=WITHOUT_SPRINGS, friction=50, blocks=IN_SPACE)

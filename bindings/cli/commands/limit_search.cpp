@@ -9,7 +9,9 @@
 #include "common/text.h"
 #include "notes/notes.h"
 #include "output/summary.h"
+#include "studies/safety/failure.h"
 #include "studies/safety/safety.h"
+#include "studies/safety/start.h"
 
 namespace halfspace::cli {
 namespace {
@@ -118,17 +120,27 @@ TrialStart LimitSearch::begin(double value) const {
     explicit Made(CheckedScene of)
         : checked(std::move(of)), model(checked.context, checked.scene, std::move(checked.layout)) {}
   };
-  CheckedScene checked = made_at(value);
-  if (!checked.faults.none())
-    throw std::runtime_error("the scene at " + shortest(value) + " is faulty\n" +
-                             checked.faults.describe(file_.path));
-  const auto made = std::make_shared<Made>(std::move(checked));
-  std::vector<double> limits = limits_at_start(made->model.frame());
-  if (options_.limit > 0) limits.assign(limits.size(), options_.limit);
-  return {.model = std::shared_ptr<Model>(made, &made->model),
-          .stages = stages_of_search(made->checked.scene),
-          .are_of_scene = !made->checked.scene.stages.empty(),
-          .limits = std::move(limits)};
+  const auto make = [this, value] {
+    CheckedScene checked = made_at(value);
+    if (!checked.faults.none())
+      throw std::runtime_error("the scene at " + shortest(value) + " is faulty\n" +
+                               checked.faults.describe(file_.path));
+    return std::make_shared<Made>(std::move(checked));
+  };
+  const auto made = make();
+  TrialStart start{.model = std::shared_ptr<Model>(made, &made->model),
+                   .stages = stages_of_search(made->checked.scene),
+                   .are_of_scene = !made->checked.scene.stages.empty(),
+                   .limits = limits_at_start(made->model.frame())};
+  if (options_.limit > 0) {
+    start.limits.assign(start.limits.size(), options_.limit);
+  } else if (!last_runs(made->checked.scene)) {
+    start.confirms = [make, made](const Model& at_end) {
+      Progress progress([](double, const std::string&) {});
+      return has_come_to_its_place(made->checked.scene, at_end, make()->model, progress);
+    };
+  }
+  return start;
 }
 
 SearchResult LimitSearch::find(OutputDirectory& directory) {

@@ -207,6 +207,11 @@ bool Model::settle(const hs_relaxation_def& relaxation, hs_balance& balance) {
   return status != HS_NOTE_NOT_AT_REST;
 }
 
+void Model::set_time_step(double time_step) {
+  given_time_step_ = time_step;
+  require(context_, hs_world_set_time_step(world_.get(), time_step));
+}
+
 void Model::weaken(double factor) { require(context_, hs_world_set_strength_factor(world_.get(), factor)); }
 
 std::vector<hs_bond_event> Model::bond_events() const {

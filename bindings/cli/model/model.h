@@ -69,6 +69,8 @@ class Model {
   /// The name of each block of the world, cells included, in the order of hs_world_get_blocks().
   std::vector<std::string> names() const;
 
+  /// Replaces the time step that the scene gives, s.
+  void set_time_step(double time_step);
   /// Divides all strengths of the scene by a factor.
   void weaken(double factor);
   /// Turns gravity, also while a stage changes it, about an axis of unit length, by an angle in rad.

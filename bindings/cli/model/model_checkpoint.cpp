@@ -44,9 +44,8 @@ void Model::add_to(Archive& archive) {
 
 void Model::restore(const std::string& world) {
   world_ = restored(context_, world);
+  for (const auto& [body, index] : index_of_body_) bodies_[index] = is_excavated(index) ? 0 : body;
   if (!has_parts_of_layout()) throw std::runtime_error("its blocks, meshes or bonds differ");
-  for (std::size_t body = 0; body < bodies_.size(); ++body)
-    if (is_excavated(body)) bodies_[body] = 0;
   update_report();
   note_motions();
 }

@@ -259,6 +259,7 @@ class Run {
 
   /// The motion that keeps a stage from rest.
   std::string drive() const {
+    if (!at_.settling.fallen.empty()) return "; \"" + at_.settling.fallen + "\" has fallen out of the scene";
     if (!at_.settling.is_driven) return {};
     return "; \"" + endless_motion(model_) + "\" never stops; give it a stop, or use a stage that runs";
   }

@@ -41,14 +41,38 @@ std::string largest_force_block(const Model& model, const hs_balance& balance) {
   return text;
 }
 
+namespace {
+
+Box box_of(const Frame& frame) {
+  Box box;
+  for (const BlockFrame& block : frame.blocks)
+    for (const Point& vertex : block.vertices) box.add(vertex);
+  return box;
+}
+
+/// The name of a free block that is farther from the scene than this is long: nothing is there to stop it.
+std::string block_outside(const Box& scene, const Model& model) {
+  for (std::size_t i = 0; i < model.layout().blocks.size(); ++i) {
+    if (!moves_freely(model.layout().blocks[i].kind)) continue;
+    const hs_block_state now = model.state_of(i);  // NaN for an excavated block
+    if (scene.distance(point_of(now.pose.position)) > length(scene.sides()))
+      return model.layout().blocks[i].name;
+  }
+  return {};
+}
+
+}  // namespace
+
 hs_balance settle_on(const SceneStage& stage, Model& model, Settling& settling, std::int64_t steps_of_piece) {
   if ((settling.is_balanced || settling.portions == 0) && !model.is_changed())
     model.change_to(static_cast<double>(++settling.portions) / static_cast<double>(stage.portions));
+  if (!(settling.scene.low[0] <= settling.scene.high[0])) settling.scene = box_of(model.frame());
   hs_relaxation_def piece = stage.relaxation;
   piece.max_steps = std::min(steps_of_piece, stage.relaxation.max_steps - settling.steps);
   hs_balance balance{};
   settling.is_balanced = model.settle(piece, balance);
   settling.steps += balance.steps;
+  if (!settling.is_balanced) settling.fallen = block_outside(settling.scene, model);
   settling.is_driven = !settling.is_balanced && !endless_motion(model).empty();
   return balance;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/box.h"
 #include "model/model.h"
 #include "scene/scene.h"
 
@@ -14,10 +15,12 @@ struct Settling {
   std::int64_t portions = 0;  ///< number of portions that have begun
   bool is_balanced = false;   ///< after the last of them
   bool is_driven = false;     ///< a support never stops, so that there is no rest
+  std::string fallen = {};    ///< a block that has fallen out of the scene
+  Box scene = {};             ///< around all blocks at the first steps
 
   bool is_at_rest(const Model& model) const { return is_balanced && model.is_changed(); }
   bool is_over(const SceneStage& stage, const Model& model) const {
-    return is_at_rest(model) || is_driven || steps >= stage.relaxation.max_steps;
+    return is_at_rest(model) || is_driven || !fallen.empty() || steps >= stage.relaxation.max_steps;
   }
 };
 

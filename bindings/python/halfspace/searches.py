@@ -52,8 +52,8 @@ class Searches:
         resolution : float
             Final width of the bracket.
         limit : float
-            Displacement of a block that counts as failure, m; 0: ten times the elastic slip of all joints, at most
-            a tenth of the block's size; in a stage that runs the latter.
+            Displacement of a block that counts as failure, m; 0: ten times the elastic displacement of all joints and
+            bodies, from a thousandth to a tenth of the block's size; in a stage that runs the latter.
         replace, resume : bool
             Replace an earlier search in the directory, or continue it.
         progress, context :
@@ -102,8 +102,8 @@ class Searches:
         resolution : float
             Final width of the bracket; 0: a thousandth of it.
         limit : float
-            Displacement of a block that counts as failure, m; 0: as in `safety` for a tilt, else a tenth of the
-            block's size.
+            Displacement of a block that counts as failure, m; 0: as in `safety`, and a tenth of the block's size in
+            motion.
         smallest : bool
             Find the smallest value instead, below which the scene falls.
         replace, resume, progress, context :

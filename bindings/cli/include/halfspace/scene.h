@@ -82,7 +82,7 @@ typedef struct hs_scene_safety_def {
   double low;                 /**< lower end of the bracket, where the scene is stable; default 0.5 */
   double high;                /**< upper end, where it falls; default 5 */
   double resolution;          /**< final width of the bracket; default 0.005 */
-  double limit;               /**< m, displacement of a fallen block; default 0: ten times the elastic slip */
+  double limit;               /**< m, displacement of a fallen block; default 0: by elastic displacement */
   const char *directory;      /**< of the output files; created if missing; not NULL */
   int32_t replaces;           /**< 1: replace an earlier run in the directory; default 0: refuse it */
   int32_t resumes;            /**< 1: continue from the trials in the directory; default 0 */
@@ -106,8 +106,8 @@ typedef struct hs_scene_limit_def {
   double low;                 /**< lower end of the bracket; default NaN: 0, of a setting required */
   double high;                /**< upper end; default NaN: 90 degrees or a factor of 10, of a setting required */
   double resolution;          /**< final width of the bracket; default 0: a thousandth of it */
-  double limit;               /**< m, displacement of a fallen block; default 0: of a tilt as for safety, else a
-                                   tenth of its size */
+  double limit;               /**< m, displacement of a fallen block; default 0: as for safety, and a tenth of
+                                   its size in motion */
   const char *directory;      /**< of the output files; created if missing; not NULL */
   int32_t replaces;           /**< 1: replace an earlier run in the directory; default 0: refuse it */
   int32_t resumes;            /**< 1: continue from the trials in the directory; default 0 */

@@ -1,105 +1,15 @@
 #include "studies/safety/search.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "common/hash.h"
 #include "common/text.h"
 #include "common/vector.h"
 #include "output/picture/picture.h"
+#include "studies/safety/bisection.h"
 
 namespace halfspace::cli {
 namespace {
-
-constexpr const char* trials_file = "trials.csv";
-
-/// Bisection between two values; known trials are not repeated.
-class Bisection {
- public:
-  Bisection(const SearchOptions& options, const SearchWords& words, const std::string& identity,
-            OutputDirectory& directory)
-      : options_(options),
-        words_(words),
-        directory_(directory),
-        name_("# trials of scene " + std::to_string(hash_of(identity)) + ", limit " +
-              shortest(options.limit) + " m, by halfspace " + hs_version()) {
-    if (!options.resumes) {
-      save();
-      return;
-    }
-    const std::string file = (directory.path() / trials_file).string();
-    try {
-      known_ = trials_from(content_of(file), name_, words.column);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error("cannot resume from " + file + ": " + error.what());
-    }
-  }
-
-  /// False when it was interrupted.
-  bool run(Trials& trials) {
-    if (!take(trials, stable_end())) return false;
-    if (!stands_) return true;
-    if (!take(trials, falling_end())) return false;
-    while (falls_ && std::abs(falls_->value - stands_->value) > options_.resolution) {
-      const double middle = 0.5 * (stands_->value + falls_->value);
-      if (middle == stands_->value || middle == falls_->value) break;  // there is no number between them
-      if (!take(trials, middle)) return false;
-    }
-    return true;
-  }
-
-  const std::optional<Trial>& stands() const { return stands_; }
-  const std::optional<Trial>& falls() const { return falls_; }
-  bool is_found() const { return stands_ && falls_; }
-  std::size_t count() const { return known_.size(); }
-  /// The number of trials for this bracket.
-  double count_of_all() const {
-    return 2 + std::ceil(std::log2((options_.high - options_.low) / options_.resolution));
-  }
-
-  std::string text(bool is_over) const {
-    if (is_found()) {
-      const std::string bracket =
-          "between " + rounded(stands_->value, 5) + " (stable) and " + rounded(falls_->value, 5) + " (falls)";
-      return is_over ? rounded(0.5 * (stands_->value + falls_->value), 4) + ", " + bracket : bracket;
-    }
-    if (falls_) return side(!options_.smallest) + rounded(falls_->value, 4) + ": the scene falls there";
-    if (stands_) return side(options_.smallest) + rounded(stands_->value, 4) + ": the scene is stable there";
-    return "unknown yet";
-  }
-
- private:
-  double stable_end() const { return options_.smallest ? options_.high : options_.low; }
-  double falling_end() const { return options_.smallest ? options_.low : options_.high; }
-  static const char* side(bool is_below) { return is_below ? "below " : "above "; }
-
-  void save() { directory_.write(trials_file, csv_of(known_, name_, words_.column)); }
-
-  bool take(Trials& trials, double value) {
-    const auto known =
-        std::find_if(known_.begin(), known_.end(), [&](const Trial& trial) { return trial.value == value; });
-    std::optional<Trial> trial;
-    if (known != known_.end()) {
-      trial = *known;
-    } else {
-      trial = trials.at(value);
-      if (!trial) return false;
-      known_.push_back(*trial);
-      save();
-    }
-    (trial->stands ? stands_ : falls_) = trial;
-    return true;
-  }
-
-  const SearchOptions& options_;
-  const SearchWords& words_;
-  OutputDirectory& directory_;
-  const std::string name_;
-  std::vector<Trial> known_;
-  std::optional<Trial> stands_, falls_;
-};
 
 /// Blocks that have moved by more than a tenth of the largest displacement, largest first.
 std::string movers(const Layout& layout, const Frame& standing, const Frame& fallen) {
@@ -150,23 +60,26 @@ SearchResult search(const Scene& scene, Trials::Begin begin, const SearchWords& 
                     const SearchOptions& options, const std::string& identity, const std::string& first_lines,
                     Progress& progress, OutputDirectory& directory) {
   SearchResult result{.report = first_lines};
-  Bisection bisection(options, words, identity, directory);
+  Bisection bisection(options, words, identity, scene.world.time_step, directory);
   Trials trials(
       std::move(begin), steps_of_trial_piece(scene), [&](double of_trial, const std::string& state) {
         progress.show(
-            (static_cast<double>(bisection.count()) + of_trial) / bisection.count_of_all(),
+            std::min((static_cast<double>(bisection.count()) + of_trial) / bisection.count_of_all(), 1.0),
             "trial " + std::to_string(bisection.count() + 1) + ", " + bisection.text(false) + ", " + state);
       });
   bool is_over = bisection.run(trials);
+  // Impulses without springs give the equilibrium to an error that decreases with the given time step.
+  if (is_over && bisection.is_found() && scene.world.time_step > 0 && any_law(scene, has_no_spring))
+    is_over = bisection.refine(trials);
   // A failure known from an earlier search is run again for its picture.
   if (is_over && bisection.falls() && !trials.fall())
-    is_over = trials.at(bisection.falls()->value).has_value();
+    is_over = trials.at(bisection.falls()->value, bisection.falls()->time_step).has_value();
   if (bisection.stands()) result.stands = bisection.stands()->value;
   if (bisection.falls()) result.falls = bisection.falls()->value;
   if (!is_over) result.end = SearchEnd::interrupted;
   if (is_over && bisection.is_found()) result.end = SearchEnd::found;
   result.report += report_line(words.sought, (is_over ? "" : "INTERRUPTED: ") + bisection.text(is_over)) +
-                   report_line("trials", std::to_string(bisection.count()));
+                   bisection.time_steps() + report_line("trials", std::to_string(bisection.count()));
   if (trials.largest_limit() > 0) {
     result.report += report_line("limit", rounded(trials.largest_limit(), 3) +
                                               " m, displacement of a fallen block; less for smaller blocks");

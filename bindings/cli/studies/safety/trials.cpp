@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "common/interrupt.h"
 #include "common/text.h"
-#include "common/vector.h"
 #include "output/tables.h"
 #include "run/run_on.h"
 #include "run/settle.h"
@@ -17,7 +17,7 @@
 namespace halfspace::cli {
 namespace {
 
-std::string columns_of(const std::string& value) { return value + ",stands,moved,block,steps"; }
+std::string columns_of(const std::string& value) { return value + ",stands,moved,block,steps,time_step"; }
 
 double number_of(const std::string& cell) {
   double value = 0;
@@ -31,46 +31,13 @@ Trial trial_from(const std::string& row) {
   std::istringstream stream(row);
   std::vector<std::string> cells;
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  if (cells.size() != 5) throw std::runtime_error("not a row of trials: " + row);
-  return {number_of(cells[0]), cells[1] == "1", number_of(cells[2]), cells[3],
-          static_cast<std::int64_t>(number_of(cells[4]))};
-}
-
-/// The elastic shear displacement of a contact before it slips, and the compression of its normal spring, m.
-double yield_of(const hs_contact& contact, const hs_law_def& law) {
-  if (!has_spring(law)) return 0;
-  const double area = law.stiffness_kind == HS_STIFFNESS_PER_AREA ? contact.area : 1;
-  const double shear = (law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness) * area;
-  const double limit =
-      std::tan(law.friction_angle) * std::max(contact.normal_force, 0.0) + law.cohesion * contact.area;
-  return (shear > 0 ? limit / shear : 0) + std::max(-contact.gap, 0.0);
-}
-
-constexpr double farthest = 0.1;  ///< of the size of a block, the largest limit
-
-/// The largest distance of a vertex from the first one.
-double size_of(const BlockFrame& block) {
-  double size = 0;
-  for (const Point& p : block.vertices) size = std::max(size, length(minus(p, block.vertices[0])));
-  return size;
-}
-
-Point displacement(const BlockFrame& start, const BlockFrame& now) {
-  return minus(point_of(now.state.pose.position), point_of(start.state.pose.position));
-}
-
-/// The ground moves with the prescribed blocks where no block is fixed, as in an earthquake.
-Point displacement_of_ground(const Frame& start, const Frame& now) {
-  Point sum{};
-  double count = 0;
-  for (std::size_t i = 0; i < now.blocks.size(); ++i) {
-    if (is_removed(now.blocks[i])) continue;
-    if (now.blocks[i].state.kind == HS_BLOCK_FIXED) return {};
-    if (now.blocks[i].state.kind != HS_BLOCK_PRESCRIBED) continue;
-    sum = plus(sum, displacement(start.blocks[i], now.blocks[i]));
-    ++count;
-  }
-  return count > 0 ? times(1 / count, sum) : sum;
+  if (cells.size() != 6) throw std::runtime_error("not a row of trials: " + row);
+  return {number_of(cells[0]),
+          cells[1] == "1",
+          number_of(cells[2]),
+          cells[3],
+          static_cast<std::int64_t>(number_of(cells[4])),
+          number_of(cells[5])};
 }
 
 }  // namespace
@@ -79,7 +46,7 @@ std::string csv_of(const std::vector<Trial>& trials, const std::string& search, 
   std::string text = search + '\n' + columns_of(column) + '\n';
   for (const Trial& trial : trials) {
     text += shortest(trial.value) + (trial.stands ? ",1," : ",0,") + shortest(trial.moved) + ',' +
-            trial.block + ',' + std::to_string(trial.steps) + '\n';
+            trial.block + ',' + std::to_string(trial.steps) + ',' + shortest(trial.time_step) + '\n';
   }
   return text;
 }
@@ -96,37 +63,16 @@ std::vector<Trial> trials_from(const std::string& csv, const std::string& search
   return trials;
 }
 
-/// A stable block moves by the elastic slip of the joints between it and the fixed ground, more if it tilts.
-/// Ten times the sum over all joints is beyond that. Bodies that strain, and bonds, yield more than their
-/// joints, and joints without springs close their gaps: their limit is the largest one.
-std::vector<double> limits_at_rest(const Scene& scene, const Model& standing) {
-  constexpr double smallest = 1e-3, times_yield = 10;  // the first of the size of a block
-  const Frame frame = standing.frame();
-  const bool is_known =
-      scene.bonds.empty() && !standing.layout().has_deformable() && !any_law(scene, has_no_spring);
-  double yield = 0;
-  for (const hs_contact& contact : standing.contacts()) {
-    yield += yield_of(contact, law_between(scene, frame.blocks[contact.block_a].state.material,
-                                           frame.blocks[contact.block_b].state.material));
-  }
-  std::vector<double> limits = limits_at_start(frame);
-  for (double& limit : limits)
-    if (is_known) limit = std::clamp(times_yield * yield, smallest / farthest * limit, limit);
-  return limits;
-}
-
-std::vector<double> limits_at_start(const Frame& start) {
-  std::vector<double> limits;
-  for (const BlockFrame& block : start.blocks)
-    limits.push_back(moves_freely(block.state.kind) ? farthest * size_of(block) : 0);
-  return limits;
-}
-
 std::vector<SceneStage> stages_of_search(const Scene& scene) {
   if (!scene.stages.empty()) return scene.stages;
   SceneStage stage{.settles = true};
   hs_relaxation_def_init(&stage.relaxation, sizeof stage.relaxation);
   return {stage};
+}
+
+bool is_failure(const LibraryError& error) {
+  return error.status == HS_ERROR_UNSTABLE || error.status == HS_ERROR_TOO_FAST ||
+         error.status == HS_ERROR_INVERTED;
 }
 
 /// A step without springs is some hundred times as long.
@@ -135,19 +81,22 @@ std::int64_t steps_of_trial_piece(const Scene& scene) { return any_law(scene, ha
 Trials::Trials(Begin begin, std::int64_t steps_of_piece, Show show)
     : begin_(std::move(begin)), steps_of_piece_(steps_of_piece), show_(std::move(show)) {}
 
-std::optional<Trial> Trials::at(double value) {
+std::optional<Trial> Trials::at(double value, double time_step) {
   const TrialStart start = begin_(value);
   model_ = start.model;
+  model_->set_time_step(time_step);
   start_ = model_->frame();
   largest_limit_ = *std::max_element(start.limits.begin(), start.limits.end());
   const std::size_t events_before = model_->bond_events().size();
-  Trial trial{.value = value, .stands = true};
+  Trial trial{.value = value, .stands = true, .time_step = time_step};
   for (std::size_t i = 0; i < start.stages.size() && trial.stands; ++i) {
     if (start.are_of_scene) model_->begin(start.stages[i], model_->layout().excavated[i]);
     const std::optional<bool> stands = stands_through(start.stages[i], start.limits, trial);
     if (!stands) return std::nullopt;
     trial.stands = *stands;
   }
+  if (trial.stands && start.confirms) trial.stands = start.confirms(*model_);
+  if (interrupt_requested()) return std::nullopt;
   if (!trial.stands) remember_fall(events_before);
   return trial;
 }
@@ -170,9 +119,7 @@ std::optional<bool> Trials::stands_through(const SceneStage& stage, const std::v
       else
         run_on(stage, *model_, start, steps_of_piece_);
     } catch (const LibraryError& error) {
-      if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST &&
-          error.status != HS_ERROR_INVERTED)
-        throw;
+      if (!is_failure(error)) throw;
       has_fallen = true;
     }
     if (find_farthest(limits, trial)) has_fallen = true;
@@ -190,19 +137,12 @@ std::optional<bool> Trials::stands_through(const SceneStage& stage, const std::v
 }
 
 bool Trials::find_farthest(const std::vector<double>& limits, Trial& trial) const {
-  const Frame now = model_->frame();
-  const Point of_ground = displacement_of_ground(*start_, now);
-  bool is_too_far = false;
-  trial.moved = 0;
-  for (std::size_t i = 0; i < now.blocks.size(); ++i) {
-    if (!moves_freely(now.blocks[i].state.kind)) continue;
-    const double moved = length(minus(displacement(start_->blocks[i], now.blocks[i]), of_ground));
-    is_too_far = is_too_far || moved > limits[i];
-    if (moved <= trial.moved) continue;
-    trial.moved = moved;
-    trial.block = model_->layout().blocks[i].name;
-  }
-  return is_too_far;
+  const std::vector<double> moved = displacements(*start_, model_->frame());
+  const auto farthest = std::max_element(moved.begin(), moved.end());
+  trial.moved = *farthest;
+  if (trial.moved > 0)
+    trial.block = model_->layout().blocks[static_cast<std::size_t>(farthest - moved.begin())].name;
+  return std::mismatch(moved.begin(), moved.end(), limits.begin(), std::less_equal<>()).first != moved.end();
 }
 
 void Trials::remember_fall(std::size_t events_before) {

@@ -20,6 +20,7 @@ struct Trial {
   double moved = 0;        ///< m, max displacement of a block
   std::string block = {};  ///< with that displacement
   std::int64_t steps = 0;
+  double time_step = 0;  ///< s, as given; 0: that of the springs
 };
 
 /// The trials of a search as CSV, after a line that identifies the search. `column` names their value.
@@ -27,22 +28,21 @@ std::string csv_of(const std::vector<Trial>& trials, const std::string& search, 
 /// @throws std::runtime_error for trials of another search, or an invalid table
 std::vector<Trial> trials_from(const std::string& csv, const std::string& search, const std::string& column);
 
-/// The displacement of each block, m, beyond which it has fallen: ten times the elastic slip of all joints,
-/// from a thousandth to a tenth of its size.
-std::vector<double> limits_at_rest(const Scene& scene, const Model& standing);
-/// The same for blocks that are not at rest yet: a tenth of their size.
-std::vector<double> limits_at_start(const Frame& start);
-
 /// The state in which a trial begins.
 struct TrialStart {
   std::shared_ptr<Model> model;    ///< with the value
   std::vector<SceneStage> stages;  ///< of the trial
   bool are_of_scene = false;       ///< all stages of the scene, whose changes are still to be made
   std::vector<double> limits;      ///< of the displacement of each block from here, m
+  /// Confirms that a model that has come to the end of its stages has not failed; may be empty.
+  std::function<bool(const Model& at_end)> confirms = {};
 };
 
 /// The stages that a scene goes through: its own, or one that brings it to rest under its loads.
 std::vector<SceneStage> stages_of_search(const Scene& scene);
+
+/// True for a step that is unstable, refused, or inverts a cell: then the scene has failed.
+bool is_failure(const LibraryError& error);
 
 /// The number of steps between two looks at the limits of a trial.
 std::int64_t steps_of_trial_piece(const Scene& scene);
@@ -57,7 +57,7 @@ class Trials {
   Trials(Begin begin, std::int64_t steps_of_piece, Show show);
 
   /// None when it was interrupted. @throws LibraryError
-  std::optional<Trial> at(double value);
+  std::optional<Trial> at(double value, double time_step);
 
   /// A failure.
   struct Fall {
