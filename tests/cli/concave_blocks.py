@@ -143,6 +143,23 @@ class ConcaveBlocks(SceneTest):
         text = SPACE.format(kind="affine").replace("density = 2000", elastic)
         self.check_fault(text, r"block\[0\].joined: joined solids do not strain; allowed: ")
 
+    def test_an_outline_that_touches_itself_is_a_fault_with_its_place(self):
+        hook = "vertices = [[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]]"
+        for outline, fault in (
+                ("[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 1]", r"vertex 2 \[1, 1\]: touches vertex 5 \[1, 1\]"),
+                ("[0, 0], [4, 0], [4, 3], [2, 0], [0, 3]", r"vertex 3 \[2, 0\]: touches the edge from vertex 0"),
+                ("[0, 0], [2, 2], [2, 0], [0, 2]", r"vertex 0 \[0, 0\]: the edge to vertex 1 \[2, 2\] crosses the edge"),
+                ("[0, 0], [3, 0], [1, 1], [1, 3], [1, 1]", r"vertex 3 \[1, 3\]: the outline turns back on itself")):
+            text = self.plane().replace(hook, f"vertices = [{outline}]")
+            self.check_fault(text, r"block\[0\].vertices: " + fault + ".*; allowed: ")
+
+    def test_straight_corners_are_left_out(self):
+        for outline, parts in (("[0, 0], [1, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2], [0, 1]", 2),
+                               ("[0, 0], [1, 0], [2, 0], [2, 2], [1, 2], [0, 2]", 1)):
+            text = self.plane().replace("[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]", outline)
+            answer = self.run_scene(text.replace('tracked = ["hook.0", "hook.1"]', ""))
+            self.assertRegex(answer.stdout, rf"blocks +{parts} \({parts} rigid")
+
     def test_joined_solids_that_overlap_are_a_fault(self):
         base, lowered = "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n", "v 0 0 0.5\nv 1 0 0.5\nv 1 1 0.5\nv 0 1 0.5\n"
         (self.directory / "hook.obj").write_text(SOLIDS.replace(base, lowered))

@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "blocks/rock/outline.h"
 #include "catch.h"
 
 using namespace halfspace::cli;
@@ -31,6 +32,17 @@ void check(const Polygon& polygon, std::size_t most_parts) {
       std::numeric_limits<double>::epsilon() * static_cast<double>(polygon.size());  // of the sum
   CHECK(sum == Approx(std::abs(area(polygon))).epsilon(1e-14 + rounding));
   CHECK(parts.size() <= most_parts);
+}
+
+/// Even-odd rule.
+bool is_inside(const Polygon& polygon, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+    if (a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) > p[0]) inside = !inside;
+  }
+  return inside;
 }
 
 }  // namespace
@@ -68,4 +80,62 @@ TEST_CASE("polygons of 20,000 corners are divided, with many reflex corners and 
     polygon.push_back({r * std::cos(angle), r * std::sin(angle)});
   }
   check(polygon, is_star ? corners / 2 + 1 : 3);
+}
+
+TEST_CASE("an outline that touches or crosses itself is found with its place, in both orders") {
+  const struct {
+    Polygon outline;
+    std::size_t vertex;
+    std::string text;
+  } cases[] = {
+      {{{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}, 2, "touches vertex 5"},
+      {{{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}},
+       3,
+       "touches the edge from vertex 0 [0, 0] to vertex 1 [4, 0]"},
+      {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}},
+       0,
+       "touches vertex 4"},
+      {{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {1, 3}, {1, 2}, {0, 2}}, 5, "turns back"},
+      {{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}, {0.5, 1}, {0, 1}}, 7, "turns back"},
+      {{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, 0, "crosses the edge from vertex 2"},
+      {{{0, 0}, {4, 0}, {4, 3}, {2, 1e-11}, {0, 3}}, 3, "touches the edge"},
+  };
+  for (const auto& [outline, vertex, text] : cases) {
+    const auto found = find_self_contact(outline);
+    REQUIRE(found);
+    CHECK(found->vertex == vertex);
+    CHECK(found->text.find(text) != std::string::npos);
+    CHECK(find_self_contact({outline.rbegin(), outline.rend()}));
+  }
+  CHECK(!find_self_contact({{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}));
+}
+
+/// On a small lattice many outlines touch themselves, corner on corner and corner on edge, and have straight
+/// corners.
+TEST_CASE("a random outline on a lattice is refused, or its parts cover its inside once") {
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> place(0, 4);
+  int divided = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    Polygon outline(4 + static_cast<std::size_t>(trial % 5));
+    for (Point& corner : outline) corner = {double(place(random)), double(place(random))};
+    bool is_repeated = false;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      is_repeated |= outline[i] == outline[(i + 1) % outline.size()];
+    if (is_repeated || find_self_contact(outline)) continue;
+    ++divided;
+    const std::vector<Polygon> parts = convex_parts(outline);
+    double sum = 0;
+    for (const Polygon& part : parts) sum += area(part);
+    CHECK(sum == Approx(std::abs(area(outline))).epsilon(1e-14));
+    for (double x = 0.21; x < 4; x += 0.5) {
+      for (double y = 0.23; y < 4; y += 0.5) {
+        const Point point{x, y};
+        const auto count = std::count_if(parts.begin(), parts.end(),
+                                         [&](const Polygon& part) { return is_inside(part, point); });
+        CHECK(count == is_inside(outline, point));
+      }
+    }
+  }
+  CHECK(divided > 1000);
 }

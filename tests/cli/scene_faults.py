@@ -19,7 +19,7 @@ EXPECTED = [
     (20, 18, "default_law.friction_angle", "out of range: 95; allowed: a number, at least 0, below 90"),
     (23, 11, "law[0].between", "no such material: \"rok\" (did you mean 'rock'?)"),
     (26, 8, "block[0].name", 'not a name: "two words"'),
-    (28, 12, "block[0].vertices", "vertex 2 [0.5, 0.5]: collinear with its neighbours"),
+    (28, 12, "block[0].vertices", "vertex 2 [1, 0]: coincides with its neighbour"),
     (34, 12, "block[1].velocity", "a fixed block does not move"),
     (35, 12, "block[1].vertices", "too few points"),
     (37, 1, "jointed_rock[0].joint_set", "missing; required"),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "blocks/mesh/common_planes.h"
@@ -10,6 +11,7 @@
 #include "blocks/mesh/mesh_fault.h"
 #include "blocks/mesh/solid.h"
 #include "blocks/rock/convex_parts.h"
+#include "blocks/rock/outline.h"
 #include "common/text.h"
 
 namespace halfspace::cli {
@@ -23,8 +25,6 @@ const char* describe(int fault) {
       return "a coordinate too large or too small to compute with";
     case HS_FAULT_REPEATED_VERTEX:
       return "coincides with its neighbour";
-    case HS_FAULT_COLLINEAR_VERTEX:
-      return "collinear with its neighbours";
     case HS_FAULT_NOT_CONVEX:
       return "a reflex corner";
     case HS_FAULT_SELF_CROSSING:
@@ -38,18 +38,55 @@ const char* describe(int fault) {
 
 }  // namespace
 
-Shape CheckedShapes::polygon(const std::vector<Point>& vertices, const std::string& key, Place place) {
+std::vector<Shape> CheckedShapes::polygon(const std::vector<Point>& vertices, bool may_be_concave,
+                                          const std::string& key, Place place) {
+  std::vector<Point> corners = vertices;
+  std::vector<std::size_t> numbers(vertices.size());  // of the corners
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   hs_fault fault{};
-  require(context_, hs_polygon_check(context_.get(), view_of(vertices), &fault));
-  if (fault.kind == HS_FAULT_NONE) return make_polygon(context_, vertices);
-  std::string text;
-  if (fault.vertex >= 0) {
-    text = "vertex " + std::to_string(fault.vertex) + ' ' +
-           described(vertices[static_cast<std::size_t>(fault.vertex)], 2) + ": ";
+  while (true) {
+    require(context_, hs_polygon_check(context_.get(), view_of(std::as_const(corners)), &fault));
+    if (fault.kind != HS_FAULT_COLLINEAR_VERTEX) break;
+    corners.erase(corners.begin() + fault.vertex);  // straight corners change no shape
+    numbers.erase(numbers.begin() + fault.vertex);
+  }
+  std::vector<Shape> shapes;
+  if (fault.kind == HS_FAULT_NONE) {
+    shapes.push_back(make_polygon(context_, corners));
+    return shapes;
+  }
+  std::optional<SelfContact> found;
+  if (fault.kind == HS_FAULT_NOT_CONVEX || fault.kind == HS_FAULT_SELF_CROSSING)
+    found = find_self_contact(vertices);
+  if (!found && fault.kind == HS_FAULT_NOT_CONVEX && may_be_concave)
+    return concave_polygon(corners, key, place);
+  if (!found && fault.vertex >= 0)
+    found = SelfContact{numbers[static_cast<std::size_t>(fault.vertex)], describe(fault.kind)};
+  faults_.add(place, key,
+              (found ? "vertex " + std::to_string(found->vertex) + ' ' +
+                           described(vertices[found->vertex], 2) + ": " + found->text
+                     : std::string(describe(fault.kind))) +
+                  "; allowed: the corners of a " + (may_be_concave ? "" : "convex ") +
+                  "polygon in order, which neither touches nor crosses itself");
+  return shapes;
+}
+
+std::vector<Shape> CheckedShapes::concave_polygon(const std::vector<Point>& corners, const std::string& key,
+                                                  Place place) {
+  std::string reason = "no division between its corners";
+  try {
+    std::vector<Shape> shapes;
+    for (const std::vector<Point>& part : convex_parts(corners))
+      shapes.push_back(make_polygon(context_, part));
+    if (!shapes.empty()) return shapes;
+  } catch (const LibraryError& error) {
+    if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
+    reason = error.reason();
   }
   faults_.add(place, key,
-              text + describe(fault.kind) + "; allowed: the corners of a convex polygon in order");
-  return nullptr;
+              "concave, and a convex part of it is too thin: " + reason +
+                  "; allowed: corners that differ by more than rounding");
+  return {};
 }
 
 Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
@@ -68,28 +105,6 @@ Shape CheckedShapes::polyhedron(const std::vector<Point>& vertices,
                                    : "the corners and whole faces of a convex polyhedron"));
     return nullptr;
   }
-}
-
-/// The convex parts of a concave polygon, which is one block, unless it strains.
-std::vector<Shape> CheckedShapes::from_polygon(const Block& block) {
-  std::vector<Shape> shapes;
-  hs_fault fault{};
-  require(context_, hs_polygon_check(context_.get(), view_of(block.vertices), &fault));
-  if (fault.kind == HS_FAULT_NOT_CONVEX && !deforms(block.making.kind)) {
-    try {
-      for (const std::vector<Point>& part : convex_parts(block.vertices))
-        shapes.push_back(make_polygon(context_, part));
-    } catch (const LibraryError& error) {
-      if (error.status != HS_ERROR_ARGUMENT && error.status != HS_ERROR_GEOMETRY) throw;
-      faults_.add(block.shape_place, block.making.key + ".vertices",
-                  "concave, and a convex part of it is too thin: " + error.reason() +
-                      "; allowed: corners that differ by more than rounding");
-      return {};
-    }
-  } else if (Shape shape = polygon(block.vertices, block.making.key + ".vertices", block.shape_place)) {
-    shapes.push_back(std::move(shape));
-  }
-  return shapes;
 }
 
 std::vector<Shape> CheckedShapes::from_file(const Block& block) {
@@ -177,7 +192,10 @@ std::vector<Shape> CheckedShapes::of(const Block& block) {
   if (!block.file.empty()) return from_file(block);
   if (!block.boundary.empty()) return from_boundary(block);
   if (block.vertices.empty()) return {};  // a fault already
-  if (dimension_ == 2) return from_polygon(block);
+  // A concave polygon is one block, unless it strains.
+  if (dimension_ == 2)
+    return polygon(block.vertices, !deforms(block.making.kind), block.making.key + ".vertices",
+                   block.shape_place);
   std::vector<Shape> shapes;
   if (Shape shape = polyhedron(block.vertices, block.faces, block.tolerance, block.making.key + ".vertices",
                                block.shape_place))
@@ -187,8 +205,9 @@ std::vector<Shape> CheckedShapes::of(const Block& block) {
 
 Shape CheckedShapes::of(const Region& region) {
   if (region.points.empty()) return nullptr;  // a fault already
-  return dimension_ == 2 ? polygon(region.points, region.key, region.place)
-                         : polyhedron(region.points, {}, {}, region.key, region.place);
+  if (dimension_ == 3) return polyhedron(region.points, {}, {}, region.key, region.place);
+  std::vector<Shape> shapes = polygon(region.points, false, region.key, region.place);
+  return shapes.empty() ? nullptr : std::move(shapes.front());
 }
 
 }  // namespace halfspace::cli

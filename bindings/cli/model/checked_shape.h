@@ -22,10 +22,12 @@ class CheckedShapes {
   Shape of(const Region& region);
 
  private:
-  Shape polygon(const std::vector<Point>& vertices, const std::string& key, Place place);
+  /// One shape, or the parts of a concave polygon where it may be one.
+  std::vector<Shape> polygon(const std::vector<Point>& vertices, bool may_be_concave, const std::string& key,
+                             Place place);
+  std::vector<Shape> concave_polygon(const std::vector<Point>& corners, const std::string& key, Place place);
   Shape polyhedron(const std::vector<Point>& vertices, const std::vector<std::vector<int>>& faces,
                    std::optional<double> tolerance, const std::string& key, Place place);
-  std::vector<Shape> from_polygon(const Block& block);
   std::vector<Shape> from_file(const Block& block);
   void check_overlaps(const Block& block, const std::vector<Shape>& shapes);
   std::vector<Shape> from_boundary(const Block& block);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "blocks/rock/corner_tree.h"
+#include "blocks/rock/outline.h"
 
 namespace halfspace::cli {
 namespace {
@@ -28,11 +29,13 @@ class Division {
       std::size_t e = first_of_loop_[loop];
       do {
         const std::size_t corner = edges_[e].start;
-        if (turn(edges_[edges_[e].before].start, corner, end(e)) > straight) part.push_back(corners_[corner]);
+        const double turn_here = turn(edges_[edges_[e].before].start, corner, end(e));
+        if (turn_here < -straight) return {};
+        if (turn_here > straight) part.push_back(corners_[corner]);
         e = edges_[e].after;
       } while (e != first_of_loop_[loop]);
     }
-    return parts;
+    return have_area_of_whole(parts) ? parts : std::vector<std::vector<Point>>{};
   }
 
  private:
@@ -60,6 +63,16 @@ class Division {
   double turn(std::size_t a, std::size_t b, std::size_t c) const {
     const Point before = minus(corners_[b], corners_[a]), after = minus(corners_[c], corners_[b]);
     return cross(before, after)[2] / (length(before) * length(after));
+  }
+
+  /// The straight corners that parts leave out change their area by less than the square of the perimeter
+  /// times `straight`.
+  bool have_area_of_whole(const std::vector<std::vector<Point>>& parts) const {
+    double missing = area_normal(corners_)[2], perimeter = 0;
+    for (const std::vector<Point>& part : parts) missing -= area_normal(part)[2];
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+      perimeter += length(minus(corners_[i], corners_[(i + 1) % corners_.size()]));
+    return std::abs(missing) <= straight * perimeter * perimeter;
   }
 
   /// Clips the ear with the shortest cut until three corners are left. A corner that is no ear, as another

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "blocks/rock/outline.h"
+
 namespace halfspace::cli {
 
 CornerTree::CornerTree(const std::vector<Point>& corners)

@@ -9,9 +9,6 @@
 
 namespace halfspace::cli {
 
-/// The sine of a turn below which a corner is straight.
-constexpr double straight = 1e-9;
-
 /// The corners of a polygon in boxes, each with two halves, to find one of them in a triangle. Corners are
 /// removed as ears are clipped.
 class CornerTree {
