@@ -169,6 +169,25 @@ class Actions(SceneTest):
                 self.assertIn(old, SCENE + ACTION)
                 self.check_fault((SCENE + ACTION).replace(old, new), fault)
 
+    def test_a_faulty_file_is_the_only_fault(self):
+        for content, fault in (
+                ("0;0\n0,5;x\n", r't\.csv:2: not a finite number: "x"'), ("time;value\n", "no rows"),
+                ("0 1 2 3\n", "rows of 4 numbers"), ("1;0\n0;0\n", "row 1 is at 0 s"), (None, "no such file")):
+            with self.subTest(content):
+                if content is None:
+                    (self.directory / "t.csv").unlink()
+                else:
+                    (self.directory / "t.csv").write_text(content)
+                text = (SCENE + ACTION).replace('"table.csv"', '"t.csv"')
+                self.check_fault(text, rf"^.*: action\[2\]\.file: {fault}.*\n1 fault in ")
+
+    def test_a_table_in_milliseconds_is_noted(self):
+        (self.directory / "table.csv").write_text("0 0\n1500 3\n")
+        self.scene.write_text(SCENE + ACTION)
+        answer = halfspace("check", self.scene)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertRegex(answer.stdout, r"note: action\[2\]\.file: its last row is at 1500 s, and the run ends at ")
+
     def test_the_examples_run(self):
         for example, result in [
             ("spreading_supports/arch.toml", r"outcome +complete"),

@@ -123,16 +123,23 @@ class Terrain(SceneTest):
                 contacts = self.last_row(head + ground + standing)["contacts"]
                 self.assertEqual(contacts > 0, gap < 0, (name, gap, contacts))
 
-    def test_a_height_map_is_the_same_as_csv_and_png(self):
+    def test_a_height_map_is_the_same_in_all_forms(self):
         # Plane slopes in both directions, so that a point is known everywhere.
         heights = [[6 - row - 0.5 * column for column in range(5)] for row in range(4)]  # from north to south
         (self.directory / "map.csv").write_text("\n".join("; ".join(map(str, row)) for row in heights) + "\n")
         pixels = [[round((height + 1) / 7 * 65520) for height in row] for row in heights]
         (self.directory / "map.png").write_bytes(png_of_16_bits(pixels))
+        nodes = [(10 + 2 * column, 20 + 2 * (3 - row), height) for row, line in enumerate(heights)
+                 for column, height in enumerate(line)]
+        (self.directory / "list.csv").write_text("x;y;z\n" + "".join(
+            ";".join(map(str, node)).replace(".", ",") + "\n" for node in reversed(nodes)))
+        (self.directory / "map.asc").write_text(
+            "ncols 5\nnrows 4\nxllcenter 10\nyllcenter 20\ncellsize 2\n" +
+            "\n".join(" ".join(map(str, row)) for row in heights))
         grid = "spacing = 2\nshift = [10, 20, 0]\n"
         scale = f"lowest = -1\nhighest = {-1 + 7 * 65535 / 65520!r}\n"
         head = HEAD.format(duration=1, gravity=[0, 0, -9.81], step=1e-4, stiffness="none", springs="")
-        for file, keys in (("map.csv", grid), ("map.png", grid + scale)):
+        for file, keys in (("map.csv", grid), ("map.png", grid + scale), ("list.csv", "spacing = 2\n"), ("map.asc", "")):
             # At x = 14, y = 22: column 2, row 2 of the map.
             text = head + TERRAIN.format(file=file, depth=3) + keys + '[output]\ntracked = [{name = "p", at = [14, 22, %r]}]\n'
             self.scene.write_text(text % 2.999)
@@ -183,6 +190,8 @@ class Terrain(SceneTest):
             ("t.csv", "1, 2, 3\n4, 5\n", r"t\.csv:2: a row of 2 heights; the first row has 3"),
             ("t.csv", "1, 2, 3\n", r"t\.csv: fewer than two rows or columns"),
             ("t.csv", "1, 2\n3, x\n", r"t\.csv:2: "),
+            ("t.csv", "x,y,z\n0,0,1\n2,0,1\n0,2,1\n2,2,1\n", r"t\.csv: nodes at distances of 2 m; spacing is 1 m"),
+            ("t.asc", "ncols 2\nnrows 2\n1 2 3 4\n", r"t\.asc: cellsize is missing"),
             ("t.png", "no image", r"t\.png: not a PNG image"),
             ("t.xyz", "", r"t\.xyz: unknown file extension; allowed: \.stl, \.obj, \.csv, \.png"),
         ):
@@ -190,7 +199,7 @@ class Terrain(SceneTest):
             keys = "spacing = 1\n" if name[-3:] in ("csv", "png") else ""
             keys += "lowest = 0\nhighest = 1\n" if name.endswith("png") else ""
             self.check_fault(head + TERRAIN.format(file=name, depth=1) + keys + block("box", (0, 0, 1), (1, 1, 2)),
-                             r"terrain\[0\]\.file: " + fault)
+                             rf"^.*: terrain\[0\]\.file: {fault}.*\n1 fault in ")
         grid = "spacing = 1\nlowest = 0\nhighest = 1\n"
         for image, fault in (
             (png(60000, 60000, 16, b""), "60000 x 60000 pixels, more than a file of 65 bytes can hold"),

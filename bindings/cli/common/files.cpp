@@ -1,6 +1,7 @@
 #include "common/files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
@@ -91,6 +92,12 @@ std::string content_of(const std::string& file) {
     content.append(part, static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + file);
   return content;
+}
+
+std::string extension_of(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
 
 std::string frame_name(int number) { return numbered("frames/frame_", number); }

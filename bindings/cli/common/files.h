@@ -9,6 +9,9 @@ namespace halfspace::cli {
 /// All bytes of a file. @throws std::runtime_error if it cannot be read
 std::string content_of(const std::string& file);
 
+/// The extension of a path in lower case, as ".csv".
+std::string extension_of(const std::string& file);
+
 /// The paths of a frame and its contacts in the directory of their run.
 std::string frame_name(int number);
 std::string contacts_name(int number);

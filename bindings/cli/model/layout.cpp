@@ -141,6 +141,7 @@ class LayoutBuilder {
     } else if (const auto block = find(action.on, action.place, action.key.c_str())) {
       blocks = {*block};
     }
+    if (action.table.times.empty()) return;  // a fault already: its components are unknown
     for (const std::size_t block : blocks) {
       if (can_follow(layout_.blocks[block], action, layout_.dimension)) continue;
       faults_.add(action.place, action.key,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "common/text.h"
@@ -83,6 +84,34 @@ void note_motions(const Start& start, Faults& faults) {
   }
 }
 
+/// The time from the begin of a stage to the end of the run; infinite with stages that settle.
+double time_after(const Scene& scene, std::size_t stage) {
+  if (scene.stages.empty()) return scene.duration;
+  double time = 0;
+  for (std::size_t i = stage; i < scene.stages.size(); ++i)
+    time += scene.stages[i].settles ? std::numeric_limits<double>::infinity() : scene.stages[i].duration;
+  return time;
+}
+
+/// A table that goes on after the run may have times in another unit.
+void note_table(const Scene& scene, const TimeTable& table, std::size_t stage, Faults& faults) {
+  constexpr double rounding = 1e-9;
+  const double end = time_after(scene, stage);
+  if (table.times.empty() || !(table.times.back() > end * (1 + rounding))) return;
+  faults.note(table.place, table.key,
+              "its last row is at " + shortest(table.times.back()) + " s, and the run ends at " +
+                  rounded(end, 4) + " s; usual: times in s, up to the end of the run");
+}
+
+void note_tables(const Start& start, Faults& faults) {
+  const Scene& scene = start.scene;
+  for (const Action& action : scene.actions) note_table(scene, action.table, action.stage, faults);
+  for (const Mesh& mesh : scene.meshes) {
+    for (const MeshSupport& support : mesh.supports) note_table(scene, support.table, support.stage, faults);
+    for (const MeshLoad& load : mesh.loads) note_table(scene, load.table, load.stage, faults);
+  }
+}
+
 }  // namespace
 
 void note_times(const Start& start, Faults& faults) {
@@ -91,6 +120,7 @@ void note_times(const Start& start, Faults& faults) {
   note_output(start, faults);
   note_rest(start, faults);
   note_motions(start, faults);
+  note_tables(start, faults);
 }
 
 }  // namespace halfspace::cli

@@ -1,13 +1,10 @@
 #include "scene/read_actions.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 
+#include "blocks/mesh/number_table.h"
 #include "common/files.h"
 #include "common/text.h"
 #include "scene/read_values.h"
@@ -17,44 +14,18 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// The rows of a CSV file. Lines that begin with a letter or # are skipped.
-Rows rows_of_file(const std::string& file) {
-  std::istringstream lines(content_of(file));
-  Rows rows;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\r'; }, ' ');
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string::npos || line[first] == '#' ||
-        std::isalpha(static_cast<unsigned char>(line[first])))
-      continue;
-    std::istringstream words(line);
-    std::vector<double> row;
-    bool are_numbers = true;
-    for (std::string word; words >> word;) {
-      char* end = nullptr;
-      row.push_back(std::strtod(word.c_str(), &end));
-      are_numbers = are_numbers && *end == '\0' && std::isfinite(row.back());
-    }
-    if (!are_numbers || row.size() < 2 || (!rows.empty() && row.size() != rows.front().size()))
-      throw std::runtime_error("line " + std::to_string(number) +
-                               " is not a row of numbers as the first one");
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 /// Rows in the scene, or in a file whose path is set.
 Rows read_rows(Keys& keys, const std::string& folder, std::string& file, const std::string& allowed) {
   if (!keys.either("file", "table")) return keys.rows("table", allowed);
-  file = (std::filesystem::path(folder) / keys.text("file", required)).string();
+  const std::filesystem::path path(keys.text("file", required));
+  if (path.empty()) return {};  // a fault already
+  file = (folder / path).string();
   if (!std::filesystem::is_regular_file(file)) {
     keys.fault("file", "no such file: " + file + "; allowed: a CSV file, named from the folder of the scene");
     return {};
   }
   try {
-    Rows rows = rows_of_file(file);
+    Rows rows = read_number_table(path.filename().string(), content_of(file), "numbers").rows;
     if (rows.empty()) keys.fault("file", "no rows; allowed: " + allowed);
     return rows;
   } catch (const std::runtime_error& error) {
@@ -63,9 +34,11 @@ Rows read_rows(Keys& keys, const std::string& folder, std::string& file, const s
   }
 }
 
+const char* key_of_rows(const Keys& keys) { return keys.has("file") ? "file" : "table"; }
+
 /// Reports times that do not ascend.
 bool check_times(Keys& keys, const Rows& rows) {
-  const char* key = keys.has("file") ? "file" : "table";
+  const char* key = key_of_rows(keys);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double time = rows[i][0];
     const bool is_third = i > 1 && time == rows[i - 2][0];
@@ -78,8 +51,9 @@ bool check_times(Keys& keys, const Rows& rows) {
 }
 
 /// A table whose rows have a time and `count` values, or one value for all components.
-TimeTable table_of(const Rows& rows, std::size_t count) {
-  TimeTable table;
+TimeTable table_of(const Keys& keys, const Rows& rows, std::size_t count) {
+  const char* key = key_of_rows(keys);
+  TimeTable table{.times = {}, .values = {}, .key = keys.path(key), .place = keys.place(key)};
   for (const std::vector<double>& row : rows) {
     Point value{row[1], row[1], row[1]};
     for (std::size_t k = 0; count > 1 && k < 3; ++k) value[k] = k < count ? row[k + 1] : 0;
@@ -108,25 +82,33 @@ void read_direction(Keys& keys, Action& action) {
   for (std::size_t k = 0; k < 3; ++k) action.scale[k] = factor * direction[k];
 }
 
-/// Values with components of their own, or one value along a direction.
-void read_table(Keys& keys, const std::string& folder, Action& action) {
+/// Reads rows [time, value] or rows of a time and all components.
+/// @return the number of values of a row; empty after a fault
+std::optional<std::size_t> read_values(Keys& keys, const std::string& folder, Action& action) {
   const auto dimension = static_cast<std::size_t>(keys.dimension());
   const std::string allowed =
       dimension == 2 ? "rows [time, value] or [time, x, y]" : "rows [time, value] or [time, x, y, z]";
   const Rows rows = read_rows(keys, folder, action.file, allowed);
-  if (rows.empty()) return;
+  if (rows.empty()) return std::nullopt;
   const std::size_t count = rows.front().size() - 1;
   const bool has_components =
       count == dimension && action.kind != HS_ACTION_SERVO && !(dimension == 2 && is_about_axis(action.kind));
   if (count != 1 && !has_components) {
-    keys.fault(keys.has("file") ? "file" : "table",
-               "rows of " + std::to_string(count + 1) + " numbers; allowed: " +
-                   (count == dimension ? "rows [time, value] for this kind" : allowed));
-    return;
+    keys.fault(key_of_rows(keys), "rows of " + std::to_string(count + 1) + " numbers; allowed: " +
+                                      (count == dimension ? "rows [time, value] for this kind" : allowed));
+    return std::nullopt;
   }
-  if (!check_times(keys, rows)) return;
-  action.table = table_of(rows, count);
-  if (count == 1) {
+  if (!check_times(keys, rows)) return std::nullopt;
+  action.table = table_of(keys, rows, count);
+  return count;
+}
+
+/// Values with components of their own, or one value along a direction.
+void read_table(Keys& keys, const std::string& folder, Action& action) {
+  const std::optional<std::size_t> count = read_values(keys, folder, action);
+  if (!count) {
+    keys.has_any({"direction", "factor"});
+  } else if (*count == 1) {
     read_direction(keys, action);
   } else {
     const double factor = keys.number("factor", any_number(), 1);
@@ -161,7 +143,7 @@ TimeTable read_factors(Keys& keys) {
   if (!keys.has_any({"table"})) return {};
   const Rows rows = keys.rows("table", "rows [time, factor]");
   if (rows.empty() || !check_times(keys, rows)) return {};
-  if (rows.front().size() == 2) return table_of(rows, 1);
+  if (rows.front().size() == 2) return table_of(keys, rows, 1);
   keys.fault("table",
              "rows of " + std::to_string(rows.front().size()) + " numbers; allowed: rows [time, factor]");
   return {};

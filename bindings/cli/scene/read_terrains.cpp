@@ -4,20 +4,24 @@
 #include <string>
 #include <utility>
 
+#include "common/files.h"
 #include "scene/read_values.h"
 
 namespace halfspace::cli {
 namespace {
 
-bool has_extension(const std::string& file, std::string_view lower, std::string_view upper) {
-  return file.ends_with(lower) || file.ends_with(upper);
-}
-
-void read_grid(Keys& keys, bool is_image, Terrain& terrain) {
-  terrain.spacing = keys.number("spacing", above(0), required);
-  if (!is_image) return;
-  terrain.lowest = keys.number("lowest", any_number(), required);
-  terrain.highest = keys.number("highest", above(terrain.lowest), required);
+/// The keys that belong to the kind of the file; those of any kind while that is unknown.
+void read_keys_of_file(Keys& keys, const std::string& extension, Terrain& terrain) {
+  const bool is_image = extension == ".png", is_grid = extension == ".asc";
+  if (is_image || is_grid || extension == ".csv") {
+    terrain.spacing = keys.number("spacing", above(0), is_grid ? std::optional(0.0) : required);
+    if (!is_image) return;
+    terrain.lowest = keys.number("lowest", any_number(), required);
+    terrain.highest = keys.number("highest", above(terrain.lowest), required);
+  } else {
+    terrain.scale = keys.number("scale", above(0), terrain.scale);
+    if (extension != ".stl" && extension != ".obj") keys.has_any({"spacing", "lowest", "highest"});
+  }
 }
 
 }  // namespace
@@ -36,12 +40,7 @@ void read_terrains(std::vector<Keys> tables, Scene& scene) {
     terrain.shape_place = keys.place("file");
     terrain.shift = keys.point("shift", Point{});
     terrain.depth = keys.number("depth", above(0), required);
-    const bool is_image = has_extension(file, ".png", ".PNG");
-    if (is_image || has_extension(file, ".csv", ".CSV")) {
-      read_grid(keys, is_image, terrain);
-    } else {
-      terrain.scale = keys.number("scale", above(0), terrain.scale);
-    }
+    read_keys_of_file(keys, extension_of(file), terrain);
     keys.finish();
     scene.terrains.push_back(std::move(terrain));
   }

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "blocks/mesh/mesh_fault.h"
 #include "blocks/terrain/height_map.h"
 #include "common/files.h"
+#include "common/text.h"
 
 namespace halfspace::cli {
 namespace {
@@ -37,26 +39,28 @@ std::vector<Point> read_plane(Keys& keys) {
 /// The heights of a CSV file, whose first row is the northernmost, as points with ascending x and y.
 void read_map(Keys& keys, const std::string& folder, Water& water) {
   const std::string name = keys.text("file", required);
-  const double spacing = keys.number("spacing", above(0), required);
+  const bool is_grid = extension_of(name) == ".asc";
+  const double given = keys.number("spacing", above(0), is_grid ? std::optional(0.0) : required);
   const Point shift = keys.point("shift", Point{});
   if (keys.has_any({"level", "plane"}))
     keys.fault("file", "beside level or plane; allowed: one of level, plane and file");
-  HeightMap map;
+  if (name.empty() || !std::isfinite(given)) return;  // a fault already
   try {
-    map = read_csv_heights(name, content_of((std::filesystem::path(folder) / name).string()));
-  } catch (const std::runtime_error& error) {
-    return keys.fault("file", error.what());
-  }
-  if (map.columns < 2 || map.rows < 2)
-    return keys.fault("file", "fewer than two rows or columns of heights; allowed: two or more of each");
-  water.def.columns = static_cast<int32_t>(map.columns);
-  water.table.clear();
-  for (std::size_t row = 0; row < map.rows; ++row) {
-    for (std::size_t column = 0; column < map.columns; ++column) {
-      const double height = map.heights[(map.rows - 1 - row) * map.columns + column];
-      water.table.push_back(
-          plus(shift, {spacing * static_cast<double>(column), spacing * static_cast<double>(row), height}));
+    const HeightMap map = read_heights(name, content_of((std::filesystem::path(folder) / name).string()));
+    const double spacing = spacing_of(map, name, given);
+    water.def.columns = static_cast<int32_t>(map.columns);
+    water.table.clear();
+    for (std::size_t row = map.rows; row-- > 0;) {
+      for (std::size_t column = 0; column < map.columns; ++column) {
+        const Point node = map.node(column, row, spacing);
+        if (std::isnan(node[2]))
+          throw MeshFault(
+              name, "no data at [" + shortest(node[0]) + ", " + shortest(node[1]) + "]; allowed: heights");
+        water.table.push_back(plus(shift, node));
+      }
     }
+  } catch (const std::runtime_error& error) {
+    keys.fault("file", error.what());
   }
 }
 

@@ -59,6 +59,8 @@ struct PairBond {
 struct TimeTable {
   std::vector<double> times;  ///< s, from the begin of a stage
   std::vector<Point> values;
+  std::string key = {};  ///< path in the file, for notes
+  Place place = {};      ///< for notes
 };
 
 /// The stress of rigid blocks at the start, by the weight of the rock above.

@@ -19,7 +19,7 @@ int exponent_of(std::string_view word) {
 }  // namespace
 
 void Digits::add(std::string_view word) {
-  const std::size_t mark = std::min(word.find_first_of("eE"), word.size());
+  const std::size_t mark = std::min(word.find_first_of("eEdD"), word.size());
   const int exponent = mark < word.size() ? exponent_of(word.substr(mark + 1)) : 0;
   const std::string_view mantissa = word.substr(0, mark);
   const std::size_t first = mantissa.find_first_of("123456789");

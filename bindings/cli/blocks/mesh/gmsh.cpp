@@ -25,7 +25,7 @@ class GmshReader {
     read_format();
     while (lines_.next()) {
       const std::string section(lines_.keyword());
-      if (section == "$Nodes") {
+      if (section == "$Nodes" || section == "$ParametricNodes") {  // the latter in version 2.2
         is_new_ ? read_nodes_4() : read_nodes_2();
       } else if (section == "$Elements") {
         is_new_ ? read_elements_4() : read_elements_2();
@@ -56,7 +56,8 @@ class GmshReader {
   void skip_to_end_of(const std::string& section) {
     if (!section.starts_with('$')) lines_.fail("expected: a section, $...");
     const std::string end = "$End" + section.substr(1);
-    const bool may_be_skipped = section != "$Nodes" && section != "$Elements";
+    const bool may_be_skipped =
+        section != "$Nodes" && section != "$ParametricNodes" && section != "$Elements";
     for (lines_.next(end); lines_.keyword() != end; lines_.next(end)) {
       if (!may_be_skipped) lines_.fail("expected: " + end);
     }

@@ -1,7 +1,5 @@
 #include "blocks/mesh/solid.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "blocks/mesh/gmsh.h"
@@ -31,13 +29,9 @@ ReadSolids reader_of(const std::string& extension) {
 }  // namespace
 
 std::vector<Solid> read_solids(const std::string& file) {
-  const std::filesystem::path path(file);
-  const std::string name = path.filename().string();
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-
+  const std::string name = std::filesystem::path(file).filename().string();
   // Refused before the file is read, as it may be of any size or endless.
-  const ReadSolids read = reader_of(extension);
+  const ReadSolids read = reader_of(extension_of(file));
   if (!read) throw MeshFault(name, "unknown file extension; allowed: .obj, .off, .stl, .msh");
   return read(name, content_of(file));
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -92,8 +93,16 @@ Surface read_binary(const std::string& name, const std::string& content) {
   return surface;
 }
 
+/// True for the keyword, which some programs write in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char c, char of_keyword) {
+    return std::tolower(static_cast<unsigned char>(c)) == of_keyword;
+  });
+}
+
 void await(const TextLines& lines, std::string_view first, std::string_view second) {
-  if (lines.keyword() == first && lines.words().size() > 1 && lines.words()[1] == second) return;
+  const auto& words = lines.words();
+  if (words.size() > 1 && is_keyword(words[0], first) && is_keyword(words[1], second)) return;
   lines.fail("expected: \"" + std::string(first) + ' ' + std::string(second) + '"');
 }
 
@@ -104,12 +113,12 @@ Triangle read_facet(TextLines& lines) {
   Triangle corners;
   for (Point& corner : corners) {
     lines.next("vertex");
-    if (lines.keyword() != "vertex") lines.fail("expected: \"vertex\"; a facet has three");
+    if (!is_keyword(lines.keyword(), "vertex")) lines.fail("expected: \"vertex\"; a facet has three");
     corner = lines.point(1);
   }
   for (std::string_view end : {"endloop", "endfacet"}) {
     lines.next(end);
-    if (lines.keyword() != end) lines.fail("expected: \"" + std::string(end) + '"');
+    if (!is_keyword(lines.keyword(), end)) lines.fail("expected: \"" + std::string(end) + '"');
   }
   return corners;
 }
@@ -120,11 +129,12 @@ Surface read_text(const std::string& name, const std::string& content) {
   Welder welder(surface);
   TextLines lines(name, content, 0);
   while (lines.next()) {
-    if (lines.keyword() != "solid") {
+    if (!is_keyword(lines.keyword(), "solid")) {
       lines.fail("expected: \"solid\", or a binary file of 84 bytes and 50 for each of its triangles");
     }
     welder.begin_object();
-    for (lines.next("facet or endsolid"); lines.keyword() != "endsolid"; lines.next("facet or endsolid")) {
+    for (lines.next("facet or endsolid"); !is_keyword(lines.keyword(), "endsolid");
+         lines.next("facet or endsolid")) {
       const int first_line = lines.line();
       welder.add(read_facet(lines), first_line);
     }

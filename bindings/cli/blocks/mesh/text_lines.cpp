@@ -8,7 +8,7 @@
 namespace halfspace::cli {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\f\v";
+constexpr std::string_view blanks = " \t\f\v";
 
 void split(std::string_view line, std::vector<std::string_view>& words) {
   words.clear();
@@ -22,16 +22,22 @@ void split(std::string_view line, std::vector<std::string_view>& words) {
 }  // namespace
 
 TextLines::TextLines(const std::string& name, const std::string& content, char comment)
-    : name_(name), rest_(content), size_(content.size()), comment_(comment) {}
+    : name_(name), rest_(content), size_(content.size()), comment_(comment) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (rest_.starts_with(mark)) rest_.remove_prefix(mark.size());
+  if (rest_.starts_with("\xff\xfe") || rest_.starts_with("\xfe\xff"))
+    throw MeshFault(name, "text in UTF-16; allowed: ASCII or UTF-8");
+}
 
 bool TextLines::next() {
   while (!rest_.empty()) {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    text_ = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest_.size()));
     ++line_;
-    if (comment_ != 0) line = line.substr(0, line.find(comment_));
-    split(line, words_);
+    if (comment_ != 0) text_ = text_.substr(0, text_.find(comment_));
+    split(text_, words_);
     if (!words_.empty()) return true;
   }
   return false;
@@ -50,13 +56,21 @@ std::string_view TextLines::word_at(std::size_t word) const {
   return words_[word];
 }
 
-double TextLines::number(std::size_t word) const {
-  std::string_view text = word_at(word);
+double TextLines::number(std::size_t word) const { return number_of(word_at(word)); }
+
+double TextLines::number_of(std::string_view word) const {
+  std::string_view text = word;
   if (text.starts_with('+')) text.remove_prefix(1);
+  std::string with_e;
+  if (const std::size_t mark = text.find_first_of("dD"); mark != std::string_view::npos) {
+    with_e = text;
+    with_e[mark] = 'e';
+    text = with_e;
+  }
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    fail("not a finite number: \"" + std::string(text) + '"');
+    fail("not a finite number: \"" + std::string(word) + '"');
   return value;
 }
 

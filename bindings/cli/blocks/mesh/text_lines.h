@@ -10,11 +10,12 @@
 
 namespace halfspace::cli {
 
-/// Reads a text line by line, and reports faults with their line.
+/// Reads a text line by line, and reports faults with their line. Lines end with the marks of any system. The
+/// byte order mark of UTF-8 is skipped.
 class TextLines {
  public:
   /// Both strings must outlive this. The rest of a line after the character `comment` is skipped; 0: no
-  /// comments.
+  /// comments. @throws MeshFault for UTF-16
   TextLines(const std::string& name, const std::string& content, char comment);
 
   /// Goes to the next line with a word on it; false at the end of the text.
@@ -22,6 +23,8 @@ class TextLines {
   /// The same for a required line. @throws MeshFault with the expected content
   void next(std::string_view expected);
 
+  /// The whole line without its comment.
+  std::string_view text() const { return text_; }
   const std::vector<std::string_view>& words() const { return words_; }
   /// The first word of the line.
   std::string_view keyword() const { return words_.front(); }
@@ -36,6 +39,8 @@ class TextLines {
   /// Three words as a point; their digits are added to digits().
   Point point(std::size_t first_word);
   const Digits& digits() const { return digits_; }
+  /// Any word as a number, whose exponent may be marked by D as Fortran writes it.
+  double number_of(std::string_view word) const;
   /// Any word as an integer.
   std::int64_t integer_of(std::string_view word) const;
 
@@ -46,6 +51,7 @@ class TextLines {
 
   const std::string& name_;
   std::string_view rest_;
+  std::string_view text_;
   std::size_t size_;
   char comment_;
   int line_ = 0;

@@ -2,12 +2,10 @@
 
 #include <png.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 
 #include "blocks/mesh/mesh_fault.h"
-#include "blocks/mesh/text_lines.h"
 
 namespace halfspace::cli {
 namespace {
@@ -30,24 +28,6 @@ void require_size(const std::string& name, const std::string& content, const png
 
 }  // namespace
 
-HeightMap read_csv_heights(const std::string& name, const std::string& content) {
-  std::string numbers = content;
-  std::replace_if(
-      numbers.begin(), numbers.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
-  HeightMap map;
-  TextLines lines(name, numbers, '#');
-  while (lines.next()) {
-    if (map.rows == 0) map.columns = lines.words().size();
-    if (lines.words().size() != map.columns) {
-      lines.fail("a row of " + std::to_string(lines.words().size()) + " heights; the first row has " +
-                 std::to_string(map.columns));
-    }
-    for (std::size_t column = 0; column < map.columns; ++column) map.heights.push_back(lines.number(column));
-    ++map.rows;
-  }
-  return map;
-}
-
 HeightMap read_png_heights(const std::string& name, const std::string& content) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -62,7 +42,7 @@ HeightMap read_png_heights(const std::string& name, const std::string& content) 
   // Linear values have 16 bits; libpng converts images of 8 bits by a gamma curve, so these are read as they
   // are.
   const bool is_linear = (image.format & PNG_FORMAT_FLAG_LINEAR) != 0;
-  HeightMap map{.columns = image.width, .rows = image.height, .heights = {}};
+  HeightMap map{.columns = image.width, .rows = image.height};
   const auto read = [&](auto& values, std::uint32_t format, double white) {
     image.format = format;
     values.resize(map.columns * map.rows);

@@ -1,7 +1,6 @@
 #include "blocks/terrain/triangle_surface.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -28,25 +27,28 @@ Surface in_triangles(Surface surface, const Terrain& terrain) {
   return surface;
 }
 
-/// Two triangles for each square of a height map, whose south-western node is at x = y = 0. The diagonals
-/// alternate, so that no direction is preferred.
+/// Two triangles for each square of a height map with data at its corners. The diagonals alternate, so that
+/// no direction is preferred.
 Surface surface_of(const HeightMap& map, const std::string& name, const Terrain& terrain) {
-  if (map.columns < 2 || map.rows < 2)
-    throw MeshFault(name, "fewer than two rows or columns of heights; allowed: two or more of each");
+  const double spacing = spacing_of(map, name, terrain.spacing);
   Surface surface{.file = name, .separator = ": square ", .vertices = {}, .faces = {}};
+  std::vector<int> vertex_at(map.heights.size(), -1);
   for (std::size_t row = 0; row < map.rows; ++row) {
     for (std::size_t column = 0; column < map.columns; ++column) {
-      const double height = map.heights[row * map.columns + column];
-      surface.vertices.push_back({terrain.spacing * static_cast<double>(column),
-                                  terrain.spacing * static_cast<double>(map.rows - 1 - row),
-                                  terrain.lowest + (terrain.highest - terrain.lowest) * height});
+      Point node = map.node(column, row, spacing);
+      if (std::isnan(node[2])) continue;
+      node[2] = terrain.lowest + (terrain.highest - terrain.lowest) * node[2];
+      vertex_at[row * map.columns + column] = static_cast<int>(surface.vertices.size());
+      surface.vertices.push_back(node);
     }
   }
   for (std::size_t row = 1; row < map.rows; ++row) {
     for (std::size_t column = 1; column < map.columns; ++column) {
-      const auto south_east = static_cast<int>(row * map.columns + column);
-      const int south_west = south_east - 1;
-      const int north_east = south_east - static_cast<int>(map.columns), north_west = north_east - 1;
+      const std::size_t corner = row * map.columns + column;
+      const int south_east = vertex_at[corner], south_west = vertex_at[corner - 1];
+      const int north_east = vertex_at[corner - map.columns],
+                north_west = vertex_at[corner - map.columns - 1];
+      if (std::min({south_east, south_west, north_east, north_west}) < 0) continue;
       const int number = static_cast<int>((row - 1) * (map.columns - 1) + column);
       if ((row + column) % 2 == 0) {
         surface.faces.push_back({{south_west, south_east, north_east}, 0, number});
@@ -61,15 +63,14 @@ Surface surface_of(const HeightMap& map, const std::string& name, const Terrain&
 }
 
 Surface read_file(const Terrain& terrain) {
-  const std::filesystem::path path(terrain.file);
-  const std::string name = path.filename().string();
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string name = std::filesystem::path(terrain.file).filename().string();
+  const std::string extension = extension_of(terrain.file);
   if (extension == ".stl") return in_triangles(read_stl(name, content_of(terrain.file)), terrain);
   if (extension == ".obj") return in_triangles(read_obj(name, content_of(terrain.file)), terrain);
-  if (extension == ".csv") return surface_of(read_csv_heights(name, content_of(terrain.file)), name, terrain);
+  if (extension == ".csv" || extension == ".asc")
+    return surface_of(read_heights(name, content_of(terrain.file)), name, terrain);
   if (extension == ".png") return surface_of(read_png_heights(name, content_of(terrain.file)), name, terrain);
-  throw MeshFault(name, "unknown file extension; allowed: .stl, .obj, .csv, .png");
+  throw MeshFault(name, "unknown file extension; allowed: .stl, .obj, .csv, .png, .asc");
 }
 
 /// Makes one vertex of coincident ones.
