@@ -76,6 +76,31 @@ class Settings(SceneTest):
                 self.assertRegex(answer.stderr, re.escape(f"{self.scene}: --set {setting}: ") + f".*{fault}")
                 self.assertIn(f"1 fault in {self.scene}", answer.stderr)
 
+    def test_a_setting_without_a_value_removes_it(self):
+        for setting, removed in (("default_law.friction_angle=", "friction_angle = 30\n"),
+                                 ("world.gravity=", "gravity = [0, -10]\n"),
+                                 ("block.block.0=", SCENE[SCENE.index('[[block]]\nname = "block.0"'):]),
+                                 ("block[1].vertices[2]= ", ", [1, 1]")):
+            with self.subTest(setting=setting):
+                self.scene.write_text(SCENE.replace(removed, ""))
+                expected = halfspace("check", self.scene)
+                answer = self.check(setting)
+                self.assertEqual(re.sub(r":\d+:\d+:", ":", answer.stdout + answer.stderr),
+                                 re.sub(r":\d+:\d+:", ":", expected.stdout + expected.stderr))
+        self.assertIn("no such key: default_law.cohesion; allowed: ", self.check("default_law.cohesion=").stderr)
+
+    def test_keys_that_do_not_fit_a_set_kind_are_left_out(self):
+        law = '[[law]]\nbetween = ["stone", "stone"]\nshear_stiffness = 1e8\n'
+        self.scene.write_text(SCENE + law)
+        answer = halfspace("check", self.scene, "--set", "default_law.stiffness=none", "--set", "world.time_step=0.01")
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        for key in ("default_law.normal_stiffness", r"law\[0\].shear_stiffness"):
+            self.assertRegex(answer.stdout, rf":\d+:1: note: {key}: left out; it does not fit the kind that --set gives")
+        # A misspelt key is still a fault, and so is one that a setting gives.
+        for setting in ("default_law.frictionangle=5", "default_law.normal_stiffness=1e9"):
+            answer = halfspace("check", self.scene, "--set", "default_law.stiffness=none", "--set", setting)
+            self.assertIn("unknown key", answer.stderr)
+
     def test_later_settings_win_and_notes_name_them(self):
         self.assertEqual(self.check("world.duration=-1", "world.duration=2").returncode, 0)
         self.assertIn("--set default_law.friction_angle=0.5: note: ", self.check("default_law.friction_angle=0.5").stdout)

@@ -140,6 +140,13 @@ class WaterAndBolts(SceneTest):
             self.assertEqual(of_resumed["bolt"], of_whole["bolt"])
             self.assertAlmostEqual(float(of_resumed["tension"]) / float(of_whole["tension"]), 1, delta=1e-3)
 
+    def test_a_block_that_has_moved_away_carries_its_bolt(self):
+        """Both ends are at the border of their blocks, and the lamp hangs lower when the stage begins."""
+        text = (LAMP + STAGES).replace('blocks = ["ground", "lamp"]\n', "")
+        text = text.replace("from = [1, 4.5]", "from = [0.3, 4]").replace("to = [0.3, 0.5]", "to = [0.3, 1]")
+        self.run_scene(text.replace("pretension = 78480", "pretension = 0"))
+        self.assertEqual({row["bolt"] for row in self.rows("bolts.csv")}, {"cable", "rod"})
+
     def test_files_of_a_height_map(self):
         """It goes on level to the ends of the blocks, and a cell is divided from its smallest to its largest corner."""
         (self.directory / "heights.csv").write_text("1,2,4\n1,1,1\n")
@@ -172,6 +179,14 @@ class WaterAndBolts(SceneTest):
         self.check_fault(LAMP + '[[stage]]\ndo = "settle"\ninstall = ["cabel"]\n', r"did you mean 'cable'")
         later = LAMP + STAGES
         self.check_fault(later.replace('blocks = ["ground", "lamp"]', 'blocks = ["ground", "lmp"]'), r'bolt\[1\]\.blocks: no such block: "lmp"')
+        hole = later.replace('blocks = ["ground", "lamp"]\n', "")
+        self.check_fault(hole.replace("from = [1, 4.5]", "from = [1, 3]"),
+                         r'bolt\[1\]\.from: \[1, 3\] is outside of all blocks; the nearest is "ceiling", 1 m away; allowed: ')
+        self.check_fault(hole.replace("from = [1, 4.5]", "from = [0.2, 0.3]"), r'bolt\[1\]\.to: both ends are in "lamp"')
+        excavated = hole.replace('install = ["rod"]', 'install = ["rod"]\nexcavate = ["lamp"]')
+        self.check_fault(excavated, r'bolt\[1\]\.to: \[0\.3, 0\.5\] is outside of all blocks once "lamp" is excavated; ')
+        self.check_fault(later.replace('install = ["rod"]', 'install = ["rod"]\nexcavate = ["lamp"]'),
+                         r'bolt\[1\]\.blocks: "lamp" is excavated by then')
         self.check_fault(POND.replace("level = 0.5", ""), r"water\.table: missing")
         self.check_fault(POND.replace("level = 0.5", "table = [[1, 0], [0, 0]]"), r"water\.table: point 1 is to the left")
         three = POND.replace("level = 0.5", "table = [[0, 0], [1, 0], [2, 0]]")

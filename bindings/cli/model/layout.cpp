@@ -14,6 +14,7 @@
 #include "blocks/terrain/terrain_blocks.h"
 #include "common/suggestion.h"
 #include "common/text.h"
+#include "model/bolt_ends.h"
 #include "model/checked_shape.h"
 #include "model/followers.h"
 #include "model/joint_stress.h"
@@ -249,7 +250,7 @@ class LayoutBuilder {
     if (can_touch(layout_, *a, *b)) return std::pair(*a, *b);
     faults_.add(joint.place, joint.key,
                 '"' + joint.blocks[0] + "\" and \"" + joint.blocks[1] +
-                    "\" never touch; allowed: two blocks of which one moves freely, not of one mesh");
+                    "\" never touch; allowed: two blocks of which one moves freely, not of one mesh or concave block");
     return std::nullopt;
   }
 
@@ -441,6 +442,7 @@ Layout lay_out_blocks(const Context& context, const Scene& scene, Faults& faults
   for (const TrackedJoint& joint : scene.output.tracked_joints) builder.track(joint);
   if (!scene.reference.block.empty()) builder.refer_to(scene.reference.block, scene.reference.block_place);
   Layout layout = builder.take();
+  if (faults.none()) find_bolt_ends(context, scene, layout, faults);
   if (scene.in_situ && faults.none() && !layout.blocks.empty()) stress_joints(context, scene, layout, faults);
   return layout;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -105,11 +106,13 @@ struct Layout {
   std::vector<std::size_t> referenced;              ///< blocks whose common position or force is measured
   std::vector<std::vector<std::size_t>> excavated;  ///< in each stage of the scene
   std::vector<std::vector<std::size_t>> acted_on;   ///< by each action of the scene
-  std::vector<LayoutPoint> points;                  ///< whose motion is written to the history
-  std::vector<LayoutJoint> joints;                  ///< that are written to the history
-  bool names_cells = false;                         ///< a mesh cell is measured or excavated by its name
-  int left_out = 0;                                 ///< number of blocks below the smallest size
-  double size_left_out = 0;                         ///< their total area or volume
+  /// Blocks at the ends of each bolt that a stage installs, unless it names them.
+  std::vector<std::array<std::optional<std::size_t>, 2>> bolt_ends;
+  std::vector<LayoutPoint> points;  ///< whose motion is written to the history
+  std::vector<LayoutJoint> joints;  ///< that are written to the history
+  bool names_cells = false;         ///< a mesh cell is measured or excavated by its name
+  int left_out = 0;                 ///< number of blocks below the smallest size
+  double size_left_out = 0;         ///< their total area or volume
 };
 
 /// Makes the blocks of a scene. Invalid shapes and unknown names are faults.

@@ -137,7 +137,7 @@ class Model {
   void set_gravity();
   void prepare_bolts();
   void install(std::size_t bolt);
-  hs_block block_at_end(const Bolt& bolt, std::size_t end) const;
+  hs_block block_at_end(std::size_t index, std::size_t end) const;
   hs_block named_block(const Bolt& bolt, std::size_t end) const;
   bool has_bolts_of_scene() const;
   /// The cells of a body, as blocks.

@@ -60,11 +60,14 @@ std::optional<std::size_t> Model::block_at(const Point& place) const {
   return index_of(block);
 }
 
-/// The block that carries an end of a bolt; 0 for the ground.
-hs_block Model::block_at_end(const Bolt& bolt, std::size_t end) const {
+/// The block that carries an end of a bolt; 0 for the ground. A block that had the place at the start may
+/// have moved away from it by a little.
+hs_block Model::block_at_end(std::size_t index, std::size_t end) const {
+  const Bolt& bolt = given_bolts_[index];
   if (!bolt.blocks[end].empty()) return named_block(bolt, end);
   hs_block block = 0;
   require(context_, hs_world_get_block_at(world_.get(), bolt.ends[end].data(), &block));
+  if (block == 0 && layout_.bolt_ends[index][end]) block = blocks_[*layout_.bolt_ends[index][end]];
   if (block != 0) return block;
   throw SceneFault(bolt.places[end], bolt.keys[end],
                    described(bolt.ends[end], layout_.dimension) +
@@ -103,8 +106,8 @@ void Model::prepare_bolts() {
 void Model::install(std::size_t index) {
   const Bolt& bolt = given_bolts_[index];
   hs_bolt_def def = bolt.def;
-  def.block_a = block_at_end(bolt, 0);
-  def.block_b = block_at_end(bolt, 1);
+  def.block_a = block_at_end(index, 0);
+  def.block_b = block_at_end(index, 1);
   std::copy(bolt.ends[0].begin(), bolt.ends[0].end(), def.place_a);
   std::copy(bolt.ends[1].begin(), bolt.ends[1].end(), def.place_b);
   if (def.block_a == def.block_b) {

@@ -61,9 +61,10 @@ double distance_to(const Context& context, const LayoutBlock& block, const Point
   return distance_to_surface(context, block.shape, local);
 }
 
-template <class Condition>
-std::optional<NearBlock> nearest_where(const Context& context, const Layout& layout, const Point& at,
-                                       Condition counts) {
+}  // namespace
+
+std::optional<NearBlock> nearest_block_where(const Context& context, const Layout& layout, const Point& at,
+                                             const std::function<bool(std::size_t)>& counts) {
   std::optional<NearBlock> nearest;
   for (std::size_t i = 0; i < layout.blocks.size(); ++i) {
     if (!counts(i)) continue;
@@ -75,17 +76,15 @@ std::optional<NearBlock> nearest_where(const Context& context, const Layout& lay
   return nearest;
 }
 
-}  // namespace
-
 std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at) {
-  return nearest_where(context, layout, at, [](std::size_t) { return true; });
+  return nearest_block_where(context, layout, at, [](std::size_t) { return true; });
 }
 
 bool can_touch(const Layout& layout, std::size_t a, std::size_t b) {
   const LayoutBlock& one = layout.blocks[a];
   const LayoutBlock& other = layout.blocks[b];
   return a != b && (moves_freely(one.kind) || moves_freely(other.kind)) &&
-         !(one.body && one.body == other.body);
+         !(one.body && one.body == other.body) && !(one.compound && one.compound == other.compound);
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> blocks_that_touch_at(const Context& context,
@@ -93,7 +92,7 @@ std::optional<std::pair<std::size_t, std::size_t>> blocks_that_touch_at(const Co
                                                                         const Point& at) {
   const std::optional<NearBlock> first = nearest_block(context, layout, at);
   if (!first) return std::nullopt;
-  const auto second = nearest_where(
+  const auto second = nearest_block_where(
       context, layout, at, [&](std::size_t block) { return can_touch(layout, first->block, block); });
   if (!second) return std::nullopt;
   return std::minmax({first->block, second->block});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -16,6 +17,10 @@ struct NearBlock {
 
 /// The first block that contains the point, or the nearest one; empty for a layout without blocks.
 std::optional<NearBlock> nearest_block(const Context& context, const Layout& layout, const Point& at);
+
+/// The same among the blocks that count.
+std::optional<NearBlock> nearest_block_where(const Context& context, const Layout& layout, const Point& at,
+                                             const std::function<bool(std::size_t)>& counts);
 
 /// True if two blocks can ever be in contact.
 bool can_touch(const Layout& layout, std::size_t a, std::size_t b);

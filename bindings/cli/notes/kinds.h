@@ -13,14 +13,12 @@ void note_boundaries(const Start& start, Faults& faults);
 void note_weights(const Start& start, Faults& faults);
 /// Springs too soft for the speeds.
 void note_speeds(const Start& start, Faults& faults);
-/// Time steps too long or too short, durations of too few or too many steps, output too rare or too frequent.
+/// Time steps too long or too short, tables that go on after the end, durations of too few or too many steps, output too rare or too frequent.
 void note_times(const Start& start, Faults& faults);
 /// Gravity and stresses in situ along unusual directions.
 void note_directions(const Start& start, Faults& faults);
 /// Blocks and meshes without a support, at the start or after an excavation.
 void note_falling(const Start& start, Faults& faults);
-/// Bolts that stages install, with ends outside of all blocks or in a single one.
-void note_bolts(const Start& start, Faults& faults);
 /// [[bond]] tables that make no bond.
 void note_bonds(const Start& start, Faults& faults);
 /// Inconsistent lengths: files in other units, a tolerance as large as blocks.

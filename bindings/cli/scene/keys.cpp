@@ -382,6 +382,7 @@ int Keys::kind(std::string_view key, std::initializer_list<std::string_view> all
   const std::size_t faults_before = faults_->count();
   const int chosen = word(key, allowed, fallback);
   is_kind_known_ = faults_->count() == faults_before && !is_misspelt(key);
+  if (has(key) && place(key).is_setting) leave_out_others();
   return chosen;
 }
 
@@ -425,6 +426,10 @@ void Keys::finish() {
     }
     const std::string_view meant = nearest(key.str(), allowed_);
     withdraw_missing(meant);
+    if (leaves_out_others_ && meant.empty() && !place_of(node.source()).is_setting) {
+      faults_->note(place, path(key.str()), "left out; it does not fit the kind that --set gives");
+      continue;
+    }
     // Another kind would have other keys.
     if (!is_kind_known_ && (has(kind_) || meant != kind_)) continue;
     faults_->add(place, path(key.str()),

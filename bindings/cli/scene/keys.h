@@ -57,6 +57,8 @@ class Keys {
   int kind(std::string_view key, std::initializer_list<std::string_view> allowed,
            std::optional<int> fallback);
   bool is_kind_known() const { return is_kind_known_; }
+  /// Keys of the file that the kind does not have are left out with a note, as a setting has replaced it.
+  void leave_out_others() { leaves_out_others_ = true; }
   /// True if the first of two alternative keys is present.
   bool either(std::string_view key, std::string_view other);
   Point point(std::string_view key, std::optional<Point> fallback);
@@ -98,8 +100,8 @@ class Keys {
 
   void note(std::string_view key, std::string text) { faults_->note(place(key), path(key), std::move(text)); }
 
-  /// Adds a fault for every key that was not read. If it resembles a missing key, only the unknown one is
-  /// reported.
+  /// Adds a fault for every key that was not read, or a note if a setting has replaced the kind and the key
+  /// resembles none. If it resembles a missing key, only the unknown one is reported.
   void finish();
 
  private:
@@ -124,6 +126,7 @@ class Keys {
   std::vector<std::pair<std::string_view, std::string_view>> alternatives_;
   std::string_view kind_;
   bool is_kind_known_ = true;
+  bool leaves_out_others_ = false;
 };
 
 }  // namespace halfspace::cli

@@ -56,6 +56,7 @@ void read_default_law(Keys keys, Scene& scene) {
   hs_law_def_init(&scene.default_law, sizeof scene.default_law);
   read_law_values(keys, scene.default_law, true);
   scene.places.default_law = keys.place();
+  scene.is_law_set = keys.has("stiffness") && keys.place("stiffness").is_setting;
   scene.places.restitution = keys.place_if_given("restitution");
   keys.finish();
 }
@@ -64,6 +65,7 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
   for (Keys& keys : tables) {
     const std::optional<std::pair<int, int>> between = read_between(keys, scene);
     hs_law_def law = scene.default_law;
+    if (scene.is_law_set) keys.leave_out_others();
     read_law_values(keys, law, false);
     keys.finish();
     if (!between) continue;
@@ -75,6 +77,7 @@ void read_laws(std::vector<Keys> tables, Scene& scene) {
 
 void read_stage_laws(Keys& keys, const Scene& scene, Laws& present, SceneStage& stage) {
   Keys of_all = keys.table("default_law", false);
+  if (scene.is_law_set) of_all.leave_out_others();
   read_law_values(of_all, present.of_all, false);
   of_all.finish();
   if (keys.has("default_law")) stage.default_law = present.of_all;
@@ -83,6 +86,7 @@ void read_stage_laws(Keys& keys, const Scene& scene, Laws& present, SceneStage& 
     const auto before =
         between ? find_law(present.of_pairs, between->first, between->second) : present.of_pairs.end();
     hs_law_def law = before == present.of_pairs.end() ? present.of_all : before->law;
+    if (scene.is_law_set) of_pair.leave_out_others();
     read_law_values(of_pair, law, false);
     of_pair.finish();
     if (!between) continue;

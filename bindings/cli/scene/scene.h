@@ -378,6 +378,7 @@ struct Scene {
   bool has_all_names = true;  ///< false: tables or names are misspelt, so that an unknown name may be valid
   std::vector<Material> materials;
   hs_law_def default_law{};
+  bool is_law_set = false;  ///< a setting of the command line has replaced its kind
   std::vector<PairLaw> laws;
   std::vector<PairBond> bonds;
   std::optional<Water> water;

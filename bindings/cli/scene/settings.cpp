@@ -74,12 +74,13 @@ class Path {
   std::string_view left_;
 };
 
-/// Replaces one value of a scene.
+/// Replaces or removes one value of a scene.
 class Setter {
  public:
   Setter(std::size_t number, std::string key, Faults& faults)
       : number_(number), key_(std::move(key)), path_(key_), faults_(faults) {}
 
+  /// @param value under the key "value"; empty to remove what the path leads to
   void set(toml::table& scene, toml::table value) {
     toml::node* node = &scene;
     while (node) {
@@ -111,6 +112,11 @@ class Setter {
       fault("no such list: " + taken_ + "; allowed: a list of the scene");
       return nullptr;
     }
+    if (path_.is_over() && value.empty()) {
+      if (table.erase(name) == 0)
+        fault("no such key: " + taken_ + "; allowed: a key of the scene, or a value to add");
+      return nullptr;
+    }
     toml::table added = path_.is_over() ? std::move(value) : parsed(number_, "{}");
     toml::node* node = added.get("value");
     const toml::key key(name, node->source());
@@ -123,6 +129,10 @@ class Setter {
     if (!index) return nullptr;
     taken_ += '[' + std::to_string(*index) + ']';
     if (!path_.is_over()) return list.get(*index);
+    if (value.empty()) {
+      list.erase(list.cbegin() + static_cast<std::ptrdiff_t>(*index));
+      return nullptr;
+    }
     std::move(*value.get("value")).visit([&](auto&& of_type) {
       list.replace(list.cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(of_type));
     });
@@ -160,9 +170,11 @@ class Setter {
   Faults& faults_;
 };
 
-/// The value of a setting under the key "value"; empty after a fault.
+/// The value of a setting under the key "value", or a table without it where there is none; empty after a
+/// fault.
 std::optional<toml::table> parsed_value(std::size_t number, const std::string& key, const std::string& value,
                                         Faults& faults) {
+  if (value.find_first_not_of(' ') == std::string::npos) return toml::table{};
   try {
     toml::table table = parsed(number, value);
     if (table.size() == 1) return table;
@@ -170,7 +182,8 @@ std::optional<toml::table> parsed_value(std::size_t number, const std::string& k
     if (is_bare_word(value)) return parsed(number, '"' + value + '"');
   }
   faults.add(place_of_setting(number), key,
-             "not a value: " + value + "; allowed: a number, true, false, [a list], or \"text\"");
+             "not a value: " + value +
+                 "; allowed: a number, true, false, [a list], \"text\", or nothing to remove the key");
   return std::nullopt;
 }
 
@@ -182,7 +195,7 @@ void apply_settings(const std::vector<std::string>& settings, toml::table& scene
     const std::string& setting = settings[number - 1];
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {
-      faults.add(place_of_setting(number), "", "no value; allowed: key=value");
+      faults.add(place_of_setting(number), "", "no value; allowed: key=value, or key= to remove the key");
       continue;
     }
     const std::string key = setting.substr(0, equals);
