@@ -1,6 +1,10 @@
 """The files of a run, read by other people's readers: VTK's for the series, an XML parser for the pictures."""
 import csv
+import resource
+import signal
+import subprocess
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -8,7 +12,7 @@ from pathlib import Path
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from command import SCENES, halfspace, main
+from command import COMMAND, SCENES, halfspace, main
 
 FALLING = SCENES / "falling_block.toml"
 
@@ -42,6 +46,30 @@ class OutputFiles(unittest.TestCase):
 
     def run_falling(self, *options):
         return halfspace("run", FALLING, "-o", self.output, *options)
+
+    def test_a_file_that_cannot_be_written_is_named_with_the_reason(self):
+        """A limit of the size of files, as a full disk needs rights of an administrator."""
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        answer = halfspace("run", FALLING, "-o", self.output, preexec_fn=limit)
+        self.assertEqual(answer.returncode, 1)
+        self.assertRegex(answer.stderr, rf"^halfspace: cannot write {self.output}/\S+: File too large\n$")
+        self.assertEqual(list(self.output.rglob("*.part")), [])
+
+    def test_a_second_run_into_a_directory_is_refused_until_the_first_ends(self):
+        long = ("run", FALLING, "-o", self.output, "--set", "world.duration=1e4")
+        first = subprocess.Popen([COMMAND, *map(str, long)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(first.kill)
+        while not (self.output / "frames" / "frame_0000.vtp").exists():
+            time.sleep(0.01)
+        for options in ((), ("--force",)):
+            answer = self.run_falling(*options)
+            self.assertEqual(answer.returncode, 1)
+            self.assertIn(f"the directory {self.output} is in use by another run; give each run", answer.stderr)
+        first.kill()
+        first.wait()
+        self.assertEqual(self.run_falling("--force").returncode, 0)
 
     def test_series_for_paraview(self):
         self.assertEqual(self.run_falling().returncode, 0)

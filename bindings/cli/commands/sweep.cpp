@@ -78,7 +78,7 @@ int run_combination(const SceneFile& file, const std::string& directory, const S
   std::string results;
   const int code = options.finds_safety ? find_safety(file, target, options.resumes, results)
                                         : run_scene_once(file, target, options.resumes, results);
-  OutputDirectory(directory, Earlier::keep).write(results_file, results + '\n');
+  write_file(fs::path(directory) / results_file, results + '\n');
   return code;
 }
 

@@ -28,8 +28,7 @@ int view(const std::string& directory, const std::string& file) {
   viewer::Recording recording = viewer::read_run(directory);
   const std::string page = recording.page(viewer);
   const fs::path target = file.empty() ? fs::path(directory) / "view.html" : fs::path(file);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  OutputDirectory(folder, Earlier::keep).write(target.filename().string(), page);
+  write_file(target, page);
   print(stdout, target.string() + ": " + std::to_string(recording.frame_count()) + " frames of " +
                     std::to_string(recording.block_count()) + " blocks, " +
                     decimals(static_cast<double>(page.size()) / 1e6, 1) + " MB; open it in a browser\n");

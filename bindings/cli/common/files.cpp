@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
@@ -61,14 +62,26 @@ void remove_earlier_run(const fs::path& path) {
     if (run.is_directory() && !run.is_symlink()) remove_earlier_run(run.path());
 }
 
-/// Writes a new file; a file or a link of that name is removed first.
-bool write_new(const fs::path& path, const std::string& content) {
-  std::error_code error;
-  fs::remove(path, error);
+/// Writes a new file; a file or a link of that name is removed first. @return 0, or the number of the error
+int write_new(const fs::path& path, const std::string& content) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
   std::FILE* file = std::fopen(path.c_str(), "wbx");
-  if (!file) return false;
-  const bool whole = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-  return std::fclose(file) == 0 && whole;
+  if (!file) return errno;
+  int error = std::fwrite(content.data(), 1, content.size(), file) == content.size() ? 0 : errno;
+  if (std::fclose(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+/// True if the directory was made.
+bool make_directory(const fs::path& path) {
+  try {
+    const bool is_made = fs::create_directories(path);
+    if (!fs::is_directory(path)) throw std::runtime_error(path.string() + " is not a directory");
+    return is_made;
+  } catch (const fs::filesystem_error& error) {
+    throw std::runtime_error("cannot use the directory " + path.string() + ": " + error.code().message());
+  }
 }
 
 }  // namespace
@@ -94,6 +107,18 @@ std::string content_of(const std::string& file) {
   return content;
 }
 
+void write_file(const fs::path& file, const std::string& content) {
+  const fs::path temporary = file.string() + ".part";
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (!error) error = {write_new(temporary, content), std::generic_category()};
+  if (!error) fs::rename(temporary, file, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw std::runtime_error("cannot write " + file.string() + ": " + error.message());
+}
+
 std::string extension_of(const std::string& file) {
   std::string extension = fs::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -113,17 +138,15 @@ std::string stage_checkpoint_name(std::size_t stage) {
 std::string share_name(std::size_t number) { return "share_" + std::to_string(number) + ".hsw"; }
 
 OutputDirectory::OutputDirectory(fs::path path, Earlier earlier)
-    : path_(std::move(path)), replaces_(earlier == Earlier::replace) {
-  try {
-    is_made_ = fs::create_directories(path_);
-    if (!fs::is_directory(path_)) throw std::runtime_error(path_.string() + " is not a directory");
-    if (earlier == Earlier::refuse && !fs::is_empty(path_)) {
-      throw std::runtime_error("the directory " + path_.string() +
-                               " is not empty; --force replaces an earlier run in it");
-    }
-  } catch (const fs::filesystem_error& error) {
-    throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.code().message());
-  }
+    : path_(std::move(path)),
+      is_made_(make_directory(path_)),
+      lock_(path_),
+      replaces_(earlier == Earlier::replace) {
+  std::error_code error;
+  if (earlier != Earlier::refuse || fs::is_empty(path_, error)) return;
+  if (error) throw std::runtime_error("cannot use the directory " + path_.string() + ": " + error.message());
+  throw std::runtime_error("the directory " + path_.string() +
+                           " is not empty; --force replaces an earlier run in it");
 }
 
 OutputDirectory::~OutputDirectory() {
@@ -153,17 +176,7 @@ void OutputDirectory::remove_stages_from(std::size_t number) {
 void OutputDirectory::write(const std::string& name, const std::string& content) {
   if (replaces_) remove_earlier_run(path_);
   replaces_ = false;
-  const fs::path target = path_ / name;
-  const fs::path temporary = target.string() + ".part";
-  std::error_code error;
-  fs::create_directories(target.parent_path(), error);
-  const bool whole = write_new(temporary, content);
-  if (whole) fs::rename(temporary, target, error);
-  if (!whole || error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw std::runtime_error("cannot write " + target.string() + (error ? ": " + error.message() : ""));
-  }
+  write_file(path_ / name, content);
   if (std::find(written_.begin(), written_.end(), name) == written_.end()) written_.push_back(name);
 }
 

@@ -4,10 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "common/directory_lock.h"
+
 namespace halfspace::cli {
 
 /// All bytes of a file. @throws std::runtime_error if it cannot be read
 std::string content_of(const std::string& file);
+
+/// Writes a file, which is complete or absent: it is written under another name, then renamed.
+/// @throws std::runtime_error with the reason
+void write_file(const std::filesystem::path& file, const std::string& content);
 
 /// The extension of a path in lower case, as ".csv".
 std::string extension_of(const std::string& file);
@@ -28,14 +34,13 @@ std::string share_name(std::size_t number);
 /// Handling of the files of an earlier run.
 enum class Earlier { refuse, replace, keep };
 
-/// The output directory of a run. Files are complete or absent: each is written under another name, then
-/// renamed.
+/// The output directory of a run, which no other run can have meanwhile.
 class OutputDirectory {
  public:
   /// With Earlier::replace, files of an earlier run are removed before the first file is written; other files
   /// stay.
-  /// @throws std::runtime_error if the directory cannot be created, or has files and `earlier` is
-  /// Earlier::refuse
+  /// @throws std::runtime_error if the directory cannot be created, is that of another run, or has files and
+  /// `earlier` is Earlier::refuse
   OutputDirectory(std::filesystem::path path, Earlier earlier);
   /// A directory that was made and has no file is removed.
   ~OutputDirectory();
@@ -54,7 +59,8 @@ class OutputDirectory {
 
  private:
   std::filesystem::path path_;
-  bool is_made_ = false;              ///< by this object
+  bool is_made_;  ///< by this object
+  DirectoryLock lock_;
   bool replaces_;                     ///< the files of an earlier run, which are not removed yet
   std::vector<std::string> written_;  ///< in the order of first writing
 };

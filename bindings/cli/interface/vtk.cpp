@@ -1,20 +1,7 @@
-#include <filesystem>
-
 #include "common/files.h"
 #include "interface/scene_handle.h"
 #include "output/vtk_series.h"
 #include "output/vtk_world.h"
-
-namespace halfspace::cli {
-namespace {
-
-void write(const std::filesystem::path& file, const std::string& content) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  OutputDirectory(folder, Earlier::keep).write(file.filename().string(), content);
-}
-
-}  // namespace
-}  // namespace halfspace::cli
 
 using namespace halfspace::cli;
 
@@ -25,8 +12,8 @@ hs_status hs_scene_write_vtk(hs_scene* scene, hs_context* context, const hs_worl
     require_given(world, "world");
     require_given(blocks, "blocks");
     const WorldPicture picture = picture_of(borrowed(context), world, start);
-    write(blocks,
-          vtk_polygons(picture.layout, picture.frame, picture.start, {0, picture.layout.blocks.size()}));
-    if (contacts) write(contacts, vtk_contacts(picture.frame));
+    write_file(blocks,
+               vtk_polygons(picture.layout, picture.frame, picture.start, {0, picture.layout.blocks.size()}));
+    if (contacts) write_file(contacts, vtk_contacts(picture.frame));
   });
 }
