@@ -135,6 +135,12 @@ class ConcaveBlocks(SceneTest):
             answer = self.run_scene(text)
             self.assertIn("2 of them excavated", answer.stdout)
 
+    def test_no_joint_between_parts_of_a_block(self):
+        joint = 'joints = [{name = "j", blocks = ["hook.0", "hook.1"]}]\n'
+        self.check_fault(self.plane() + joint, r'"hook\.0" and "hook\.1" never touch; allowed: .*concave block')
+        at = 'joints = [{name = "j", at = [0.5, 5.5]}]\n'
+        self.check_fault(self.plane() + at, "no two blocks that can touch each other")
+
     def test_a_concave_block_that_strains_is_a_fault(self):
         elastic = "density = 2000\nyoung_modulus = 1e9\npoisson_ratio = 0.2"
         text = self.plane(kind="affine").replace("density = 2000", elastic)

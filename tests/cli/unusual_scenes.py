@@ -361,6 +361,33 @@ class UnusualScenes(unittest.TestCase):
         hanging = edited(SQUARES, "6\n1 0 0 0", "8\n7 1 0.5 0\n8 2 0.5 0\n1 0 0 0", "3\n1 1 2 7", "4\n4 3 2 0 1 7 8 6 5\n1 1 2 7",
                          "1 2 3 6 5\n", "1 2 3 8 7\n")
         self.assert_one(FILE_MESH, r"1 node in the middle of another element's face or edge, the first at \[1, 0\.5\]", squares_msh=hanging)
+        self.assert_one(edited(FILE_MESH, '"squares.msh"', '"squares.msh"\nbodies = "groups"'),
+                        r"1 node in the middle of another element's", squares_msh=hanging)
+
+    def test_a_file_in_millimetres_beside_larger_blocks(self):
+        """Blocks of 20 m, a mesh of 2 m in mm: 70 times their size."""
+        in_mm = re.sub(r"(?m)^(\d) (\d) (\d) 0$", lambda node: f"{node[1]} {node[2]}000 {node[3]}000 0", SQUARES)
+        large = edited(FILE_MESH, "[[0, 1], [1, 1], [1, 2], [0, 2]]", "[[0, 1], [20, 1], [20, 21], [0, 21]]")
+        self.assert_one(large, r"mesh\[0\]: \"beam\" has an extent of 2\.24e\+03 m, 79\.1 times larger than all others; "
+                               r".*scale = 0\.001 for a file in mm", squares_msh=in_mm)
+
+    def test_check_and_run_refuse_a_scene_without_a_time_step(self):
+        all_fixed = PILE.replace('kind = "affine"', 'kind = "fixed"').replace('name = "upper"', 'name = "upper"\nkind = "fixed"')
+        rigid = PILE.replace('kind = "affine"\n', "")
+        springs = rigid[rigid.index("normal_stiffness"):rigid.index("friction_angle = 30")]
+        rigid = edited(rigid, "duration = 1", "duration = 1\nsleep_tolerance = 1e-4", springs, "",
+                       'stiffness = "per area"', 'stiffness = "none"',
+                       "normal_damping = 0.3\nshear_damping = 0.3\n", "")
+        with tempfile.TemporaryDirectory() as directory:
+            scene = Path(directory, "scene.toml")
+            for text in (all_fixed, rigid):
+                scene.write_text(text)
+                answers = [halfspace("check", scene), halfspace("run", scene, "-o", Path(directory, "out"))]
+                for answer in answers:
+                    self.assertEqual(answer.returncode, 1)
+                    self.assertRegex(answer.stderr, r"world\.time_step: missing, and none can be derived: .*\n1 fault in ")
+                self.assertEqual(answers[0].stderr, answers[1].stderr)
+        self.assert_one(edited(all_fixed, "duration = 1", "duration = 1\ntime_step = 1e-3"), r"all blocks are fixed: nothing moves")
 
     def test_excavation_of_all_or_around_something(self):
         self.assert_one(edited(GROUND, '"ground.12"', '"ground"'), r"^21:12: note: stage\[0\]\.excavate: excavates all free blocks")
@@ -378,16 +405,6 @@ class UnusualScenes(unittest.TestCase):
         self.assert_one(edited(PILE, "[default_law]", unused + "[default_law]") + law, r'law\[1\]\.between: no block is of "clay"')
         apart = edited(PILE, "friction_angle = 25", "friction_angle = 25\ncohesion = 1e5", "[[0, 0], [1, 0]", "[[0, 0.5], [1, 0.5]")
         self.assert_one(apart, r"law\[0\]: cohesion and tensile_strength act in contacts that exist at the start, and there is none")
-
-    def test_bolts_whose_stage_would_end_the_run(self):
-        stages = '[[stage]]\ndo = "run"\nduration = 0.1\n[[stage]]\ndo = "run"\nduration = 0.1\ninstall = ["late"]\n'
-        bolt = '[[bolt]]\nname = "late"\nfrom = [0.5, 0.5]\nto = [0.5, -0.5]\nstiffness = 1e6\n'
-        staged = edited(PILE, "duration = 1\n", "") + bolt + stages
-        self.assertEqual(self.notes(staged), [])
-        self.assert_one(edited(staged, "to = [0.5, -0.5]", "to = [0.5, -1.5]"),
-                        r"bolt\[0\]\.to: \[0\.5, -1\.5\] is outside of all blocks at the start; usual: a place in a block")
-        self.assert_one(edited(staged, "to = [0.5, -0.5]", "to = [0.5, 0.6]"),
-                        r'bolt\[0\]\.to: both ends are in "lower" at the start; usual: ends in two blocks')
 
     def test_a_run_tells_them_and_goes_on(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -47,10 +47,11 @@ std::vector<Made> made_by_tables(const Start& start) {
   return all;
 }
 
-/// Notes extents that differ by orders of magnitude, as of a file in mm. Floors may be large, and single
-/// blocks small.
+/// Notes extents that differ by orders of magnitude. Floors may be large, and single blocks small. A file
+/// that is more than 32 times larger than all else, the root of 1000, is more likely in mm than in m.
 void note_extents(const Start& start, Faults& faults) {
   constexpr double max_times_larger = 100, max_times_smaller = 300, max_times_at_all = 1e5;
+  constexpr double max_times_of_file = 32;
   const std::vector<Made> all = made_by_tables(start);
   for (const Made& made : all) {
     double largest = 0, smallest = INFINITY;  // of all others
@@ -61,7 +62,9 @@ void note_extents(const Start& start, Faults& faults) {
     }
     if (largest == 0) continue;
     const double larger = made.extent() / largest, smaller = smallest / made.extent();
-    const bool is_large = larger > (made.is_free || made.is_from_file ? max_times_larger : max_times_at_all);
+    const bool is_large = larger > (made.is_from_file ? max_times_of_file
+                                    : made.is_free    ? max_times_larger
+                                                      : max_times_at_all);
     const bool is_small = smaller > (made.is_from_file ? max_times_smaller : max_times_at_all);
     if (!is_large && !is_small) continue;
     faults.note(made.place, made.key,

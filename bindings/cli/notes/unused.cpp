@@ -69,6 +69,14 @@ void note_strengths(const Start& start, Faults& faults) {
     faults.note(start.scene.places.default_law, "default_law", text + " with this law");
 }
 
+void note_all_at_rest(const Start& start, Faults& faults) {
+  const std::vector<LayoutBlock>& blocks = start.layout.blocks;
+  const auto rests = [](const LayoutBlock& block) { return block.kind == HS_BLOCK_FIXED; };
+  if (!blocks.empty() && std::all_of(blocks.begin(), blocks.end(), rests))
+    faults.note(blocks[0].place, blocks[0].key,
+                "all blocks are fixed: nothing moves; usual: some that are rigid");
+}
+
 }  // namespace
 
 void note_unused(const Start& start, Faults& faults) {
@@ -76,6 +84,7 @@ void note_unused(const Start& start, Faults& faults) {
   note_materials(start, used, faults);
   note_laws(start, used, faults);
   note_strengths(start, faults);
+  note_all_at_rest(start, faults);
 }
 
 }  // namespace halfspace::cli

@@ -36,9 +36,9 @@ class MeshLayout {
   }
 
   LaidOutMesh whole() {
-    if (!given_.file.empty()) note_file();
     choose_materials();
     choose_bodies();
+    if (!given_.file.empty()) note_file();
     make_bodies();
     hold();
     load();
@@ -51,11 +51,15 @@ class MeshLayout {
   }
 
  private:
-  /// Bodies of a divided mesh need not share nodes.
+  /// Elements of one body have to share nodes; those of different bodies need not.
   void note_file() {
     std::vector<std::string> notes = mesh_.notes;
-    if (given_.division == MeshDivision::whole)
-      for (const std::string& text : loose_nodes(mesh_, surface_))
+    std::map<std::size_t, std::vector<OuterFace>> surfaces;  // of bodies of several elements
+    if (given_.division != MeshDivision::cells)
+      for (const OuterFace& face : surface_)
+        surfaces[body_of_[static_cast<std::size_t>(face.cell)]].push_back(face);
+    for (const auto& [body, surface] : surfaces)
+      for (const std::string& text : loose_nodes(mesh_, surface))
         notes.push_back(std::filesystem::path(given_.file).filename().string() + ": " + text);
     for (const std::string& text : notes) faults_.note(given_.shape_place, given_.making.key + ".file", text);
   }
