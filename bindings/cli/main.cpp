@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -270,12 +272,19 @@ int main_of(int argc, char** argv) {
   }
 }
 
+/// Output that is lost, as on a full disk, is a failure.
+int flushed(int code) {
+  if (std::fflush(stdout) == 0) return code;
+  std::fprintf(stderr, "halfspace: cannot write the standard output: %s\n", std::strerror(errno));
+  return exit_failed;
+}
+
 }  // namespace
 }  // namespace halfspace::cli
 
 int main(int argc, char** argv) {
   try {
-    return halfspace::cli::main_of(argc, argv);
+    return halfspace::cli::flushed(halfspace::cli::main_of(argc, argv));
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "halfspace: %s\n", hs_status_string(HS_ERROR_OUT_OF_MEMORY));
     return halfspace::cli::exit_failed;

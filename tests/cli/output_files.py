@@ -57,6 +57,12 @@ class OutputFiles(unittest.TestCase):
         self.assertRegex(answer.stderr, rf"^halfspace: cannot write {self.output}/\S+: File too large\n$")
         self.assertEqual(list(self.output.rglob("*.part")), [])
 
+    def test_lost_output_is_a_failure(self):
+        with open("/dev/full", "w") as full:
+            answer = subprocess.run([COMMAND, "check", str(FALLING)], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(answer.returncode, 1)
+        self.assertEqual(answer.stderr, "halfspace: cannot write the standard output: No space left on device\n")
+
     def test_a_second_run_into_a_directory_is_refused_until_the_first_ends(self):
         long = ("run", FALLING, "-o", self.output, "--set", "world.duration=1e4")
         first = subprocess.Popen([COMMAND, *map(str, long)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -389,6 +389,26 @@ class UnusualScenes(unittest.TestCase):
                 self.assertEqual(answers[0].stderr, answers[1].stderr)
         self.assert_one(edited(all_fixed, "duration = 1", "duration = 1\ntime_step = 1e-3"), r"all blocks are fixed: nothing moves")
 
+    def test_tables_without_an_effect(self):
+        force = '[[action]]\non = "upper"\nkind = "force"\ndirection = [0, 1]\ntable = [[0, %s], [1, 0]]\n'
+        shaking = '[[action]]\nkind = "acceleration"\ndirection = [1, 0]\ntable = [[0, 0], [1, %s]]\n'
+        water, window = "[water]\nlevel = %s\n", "[output.picture]\nwindow = [[%s, -1], [9, 9]]\n"
+        for added, usual, unusual, pattern in (
+                (force, 5, 0, r"action\[0\]\.table: all values are 0"),
+                (shaking, 3, 300, r"action\[0\]\.table: 300 m/s2 is unusual; usual: up to 100"),
+                (water, 0.5, -500, r"water: the table lies 499 m below all blocks; usual: heights in m"),
+                (water, 2.5, 2500, r"water: the table lies 2\.5e\+03 m above all blocks; usual: heights in m"),
+                (window, -2, 8, r"output\.picture\.window: no block is in it")):
+            self.assertEqual(self.notes(PILE + added % usual), [])
+            self.assert_one(PILE + added % unusual, pattern)
+        mesh = '[[block]]\nname = "third"\nmaterial = "stone"\nkind = "mesh"\ncell_size = %s\nvertices = [[0, 2], [1, 2], [1, 3], [0, 3]]\n'
+        self.assertEqual(self.notes(PILE + mesh % 0.5), [])
+        self.assert_one(PILE + mesh % 50, r'block\[3\]\.cell_size: 50 m is larger than the block')
+        rock = ('[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nsmallest_area = %s\n'
+                "region = [[0, 2], [1, 2], [1, 3], [0, 3]]\njoint_set = [{dip = 0, spacing = 0.5}]\n")
+        self.assertEqual(self.notes(PILE + rock % 0.1), [])
+        self.assert_one(PILE + rock % 100, r'jointed_rock\[0\]: "rock" has no block')
+
     def test_excavation_of_all_or_around_something(self):
         self.assert_one(edited(GROUND, '"ground.12"', '"ground"'), r"^21:12: note: stage\[0\]\.excavate: excavates all free blocks")
         row = ", ".join(f'"ground.{i}"' for i in range(10, 15))

@@ -1,5 +1,7 @@
 #include "scene/read_actions.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -103,6 +105,21 @@ std::optional<std::size_t> read_values(Keys& keys, const std::string& folder, Ac
   return count;
 }
 
+/// Loads of 0, and accelerations of more than ten times gravity.
+void note_values(Keys& keys, const Action& action) {
+  constexpr double max_acceleration = 100;
+  double largest = 0;
+  for (const Point& value : action.table.values)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = std::max(largest, std::abs(action.scale[axis] * value[axis]));
+  const bool is_load = action.kind == HS_ACTION_FORCE || action.kind == HS_ACTION_TORQUE;
+  if (largest == 0 && (is_load || action.kind == HS_ACTION_ACCELERATION)) {
+    keys.note(key_of_rows(keys), "all values are 0: they have no effect");
+  } else if (largest > max_acceleration && action.kind == HS_ACTION_ACCELERATION) {
+    keys.note(key_of_rows(keys), rounded(largest, 3) + " m/s2 is unusual; usual: up to 100 m/s2");
+  }
+}
+
 /// Values with components of their own, or one value along a direction.
 void read_table(Keys& keys, const std::string& folder, Action& action) {
   const std::optional<std::size_t> count = read_values(keys, folder, action);
@@ -114,6 +131,7 @@ void read_table(Keys& keys, const std::string& folder, Action& action) {
     const double factor = keys.number("factor", any_number(), 1);
     action.scale = {factor, factor, factor};
   }
+  if (count) note_values(keys, action);
 }
 
 Action read_action(Keys& keys, const Scene& scene) {

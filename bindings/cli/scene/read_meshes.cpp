@@ -113,6 +113,9 @@ Mesh read_mesh(Keys& keys, const Scene& scene) {
     MeshLoad load{.part = read_part(table)};
     load.pressure = table.number("pressure", any_number(), 0);
     load.traction = table.point("traction", Point{});
+    if (load.pressure == 0 && load.traction == Point{})
+      table.note(table.has("group") ? "group" : "box",
+                 "no pressure and no traction: this load has no effect");
     load.table = read_factors(table);
     load.stage = read_stage_name(table, scene);
     mesh.loads.push_back(std::move(load));

@@ -136,6 +136,7 @@ void read_output(Keys keys, Scene& scene) {
   const std::vector<Point> window = picture.points("window", 2, std::vector<Point>{});
   if (window.size() == 2 && spans(window[0], window[1], keys.dimension())) {
     output.window = {{window[0], window[1]}};
+    scene.places.window = picture.place("window");
   } else if (!window.empty()) {
     picture.fault("window", "not a window; allowed: two points, [lowest corner, highest corner]");
   }
@@ -169,6 +170,7 @@ Scene read_top(Keys keys, const std::string& folder, Faults& faults) {
   read_laws(keys.tables("law", false), scene);
   read_bonds(keys.tables("bond", false), scene);
   scene.water = read_water(keys, {}, scene.folder);
+  scene.places.water = keys.place("water");
   read_bolts(keys.tables("bolt", false), scene);
   read_stages(keys.tables("stage", false), scene);
   read_actions(keys.tables("action", false), scene);

@@ -368,7 +368,7 @@ struct Scene {
   /// Places of keys of [world], [default_law] and [output], for notes.
   struct Places {
     Place gravity, time_step, duration, sleep_tolerance, potential_length, default_law, rest_speed;
-    Place frame_interval, history_interval;
+    Place frame_interval, history_interval, window, water;
     /// Places of keys that may be missing.
     std::optional<Place> restitution, impulse_tolerance, max_impulse_iterations, locate_impacts;
   };
