@@ -169,7 +169,8 @@ TEST_CASE("Gmsh meshes: elements with a volume are blocks, others are not") {
     }
   }
   CHECK(solids_of(read_gmsh("mesh.msh", mesh_texts::gmsh_2))[0].place == "mesh.msh:24");
-  std::string parametric = mesh_texts::gmsh_2;  // with the nodes' places on curves and faces behind their coordinates
+  std::string parametric =
+      mesh_texts::gmsh_2;  // with the nodes' places on curves and faces behind their coordinates
   parametric.replace(parametric.find("$Nodes"), 6, "$ParametricNodes");
   parametric.replace(parametric.find("$EndNodes"), 9, "$EndParametricNodes");
   CHECK(solids_of(read_gmsh("mesh.msh", parametric)).size() == 4);

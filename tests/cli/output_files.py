@@ -4,10 +4,10 @@ import resource
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from time import sleep
 
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
@@ -68,7 +68,7 @@ class OutputFiles(unittest.TestCase):
         first = subprocess.Popen([COMMAND, *map(str, long)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(first.kill)
         while not (self.output / "frames" / "frame_0000.vtp").exists():
-            time.sleep(0.01)
+            sleep(0.01)
         for options in ((), ("--force",)):
             answer = self.run_falling(*options)
             self.assertEqual(answer.returncode, 1)

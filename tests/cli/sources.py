@@ -11,6 +11,7 @@ from command import halfspace, main
 HEAD = """
 [world]
 duration = 1
+time_step = 1e-3
 [[material]]
 name = "rock"
 density = 2700
@@ -67,7 +68,7 @@ class Sources(unittest.TestCase):
         scene = self.BOUNDARY + "boundary = [[5, 3], [5, 0], [0, 0], [0, -3]]\ndepth = 1\n"
         with tempfile.TemporaryDirectory() as directory:
             path, output = Path(directory, "scene.toml"), Path(directory, "out")
-            path.write_text("dimension = 2\n" + HEAD.replace("duration = 1", "duration = 1e-3\ntime_step = 1e-3")
+            path.write_text("dimension = 2\n" + HEAD.replace("duration = 1", "duration = 1e-3")
                             + scene.removeprefix("dimension = 2\n"))
             answer = halfspace("run", path, "-o", output)
             self.assertEqual(answer.returncode, 0, answer.stderr)

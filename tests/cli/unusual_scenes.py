@@ -385,7 +385,7 @@ class UnusualScenes(unittest.TestCase):
                 answers = [halfspace("check", scene), halfspace("run", scene, "-o", Path(directory, "out"))]
                 for answer in answers:
                     self.assertEqual(answer.returncode, 1)
-                    self.assertRegex(answer.stderr, r"world\.time_step: missing, and none can be derived: .*\n1 fault in ")
+                    self.assertRegex(answer.stderr, r"world\.time_step: no time step is given and none can be derived: .*\n1 fault in ")
                 self.assertEqual(answers[0].stderr, answers[1].stderr)
         self.assert_one(edited(all_fixed, "duration = 1", "duration = 1\ntime_step = 1e-3"), r"all blocks are fixed: nothing moves")
 

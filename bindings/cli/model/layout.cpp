@@ -250,7 +250,8 @@ class LayoutBuilder {
     if (can_touch(layout_, *a, *b)) return std::pair(*a, *b);
     faults_.add(joint.place, joint.key,
                 '"' + joint.blocks[0] + "\" and \"" + joint.blocks[1] +
-                    "\" never touch; allowed: two blocks of which one moves freely, not of one mesh or concave block");
+                    "\" never touch; allowed: two blocks of which one moves freely, not of one mesh or "
+                    "concave block");
     return std::nullopt;
   }
 

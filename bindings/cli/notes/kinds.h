@@ -13,7 +13,8 @@ void note_boundaries(const Start& start, Faults& faults);
 void note_weights(const Start& start, Faults& faults);
 /// Springs too soft for the speeds.
 void note_speeds(const Start& start, Faults& faults);
-/// Time steps too long or too short, tables that go on after the end, durations of too few or too many steps, output too rare or too frequent.
+/// Time steps too long or too short, tables that go on after the end, durations of too few or too many steps,
+/// output too rare or too frequent.
 void note_times(const Start& start, Faults& faults);
 /// Gravity and stresses in situ along unusual directions.
 void note_directions(const Start& start, Faults& faults);

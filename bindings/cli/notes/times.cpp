@@ -32,10 +32,9 @@ void require_time_step(const Start& start) {
   if (scene.world.time_step > 0 || start.model.report().stable_time_step > 0 || changes_laws) return;
   const World world = restored(start.context, start.model.snapshot());
   if (hs_world_step(world.get(), 1) != HS_ERROR_STATE) return;
-  throw SceneFault(
-      scene.places.time_step, "world.time_step",
-      "missing, and none can be derived: no free block has springs or elasticity; required: a number "
-      "above 0");
+  throw SceneFault(scene.places.time_step, "world.time_step",
+                   "no time step is given and none can be derived: no free block has springs or elasticity; "
+                   "required: a number above 0");
 }
 
 void note_duration(const Start& start, Faults& faults) {
