@@ -58,6 +58,7 @@ int check(const SceneFile& file) {
   CheckedScene checked = load(file, 1);
   if (!checked.faults.none()) return refuse(file, checked.faults);
   const Model model(checked.context, checked.scene, std::move(checked.layout));
+  require_time_step(checked.context, checked.scene, model);
   note_start(checked.context, checked.scene, model, checked.faults);
   std::string text = file.path + ": no faults, " + std::to_string(model.layout().blocks.size()) + " blocks";
   if (model.layout().left_out > 0)
@@ -73,6 +74,7 @@ int run(const SceneFile& file, const Target& target, RunOptions options, const s
   RunStart start = begin_run(target, std::move(options), from);
   OutputDirectory& directory = start.directory;
   Model model(checked.context, checked.scene, std::move(checked.layout));
+  require_time_step(checked.context, checked.scene, model);
   note_start(checked.context, checked.scene, model, checked.faults);
   print(stderr, checked.faults.describe_notes(file.path));
   remember_interrupts();

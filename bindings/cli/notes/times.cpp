@@ -3,7 +3,6 @@
 #include <string>
 
 #include "common/text.h"
-#include "model/library.h"
 #include "notes/kinds.h"
 
 namespace halfspace::cli {
@@ -22,19 +21,6 @@ void note_time_step(const Start& start, Faults& faults) {
         start.scene.places.time_step, "world.time_step",
         step + "far below the stable time step, " + rounded(stable, 4) + " s; usual: 0.1 to 1 times that");
   }
-}
-
-/// A run without a time step ends at its first step.
-void require_time_step(const Start& start) {
-  const Scene& scene = start.scene;
-  const bool changes_laws =
-      !scene.stages.empty() && (scene.stages[0].default_law || !scene.stages[0].laws.empty());
-  if (scene.world.time_step > 0 || start.model.report().stable_time_step > 0 || changes_laws) return;
-  const World world = restored(start.context, start.model.snapshot());
-  if (hs_world_step(world.get(), 1) != HS_ERROR_STATE) return;
-  throw SceneFault(scene.places.time_step, "world.time_step",
-                   "no time step is given and none can be derived: no free block has springs or elasticity; "
-                   "required: a number above 0");
 }
 
 void note_duration(const Start& start, Faults& faults) {
@@ -129,7 +115,6 @@ void note_tables(const Start& start, Faults& faults) {
 }  // namespace
 
 void note_times(const Start& start, Faults& faults) {
-  require_time_step(start);
   note_time_step(start, faults);
   note_duration(start, faults);
   note_output(start, faults);
