@@ -13,6 +13,15 @@ namespace {
 double largest_face_of(const Shape<2>& shape) { return shape.longest_edge(); }
 double largest_face_of(const Shape<3>& shape) { return shape.largest_face(); }
 
+template <class T>
+T entry_of_none(const Array<T>&) {
+  if constexpr (requires { T::Zero(); }) {
+    return T::Zero();
+  } else {
+    return T();
+  }
+}
+
 Box<2> box_of(const Outline<2>& o) {
   const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
   const auto [least_y, most_y] = std::minmax_element(o.y, o.y + o.count);
@@ -60,27 +69,25 @@ Blocks<D>::Blocks(Memory* memory)
 template <int D>
 void Blocks<D>::resize(std::size_t slots) {
   if (free_slots_.capacity() < slots) free_slots_.reserve(2 * slots);  // so remove() allocates nothing
-  moving_end_ = std::min(moving_end_, std::int64_t(slots));
   kind.resize(slots, BlockKind::none);
-  material.resize(slots);
   generation.resize(slots);
-  position.resize(slots, Vector<D>::Zero());
-  velocity.resize(slots, Vector<D>::Zero());
-  force.resize(slots, Vector<D>::Zero());
-  applied_force.resize(slots, Vector<D>::Zero());
-  rotation.resize(slots);
+  const auto fit = [&](auto& array) { array.resize(slots, entry_of_none(array)); };
+  std::apply([&](auto&... arrays) { (fit(arrays), ...); }, entries());
   if constexpr (D == 2) angle.resize(slots);
-  spin.resize(slots, Angular<D>::Zero());
-  momentum.resize(slots, Angular<D>::Zero());
-  torque.resize(slots, Angular<D>::Zero());
-  applied_torque.resize(slots, Angular<D>::Zero());
-  mass.resize(slots);
-  inertia.resize(slots);
-  radius.resize(slots);
-  largest_face.resize(slots);
-  thickness.resize(slots);
-  held.resize(slots);
   outlines_.resize(slots);
+}
+
+/// A free slot has the entries of one that has never been used, whatever has been in it: so a block that is
+/// taken back leaves nothing behind.
+template <int D>
+void Blocks<D>::empty(std::size_t slot) {
+  kind[slot] = BlockKind::none;
+  const auto empty_entry = [&](auto& array) { array[slot] = entry_of_none(array); };
+  std::apply([&](auto&... arrays) { (empty_entry(arrays), ...); }, entries());
+  if constexpr (D == 2) angle[slot] = 0;
+  outlines_.assign(std::int32_t(slot), {});
+  --living_;
+  while (moving_end_ > 0 && !moves(moving_end() - 1)) --moving_end_;
 }
 
 template <int D>
@@ -102,9 +109,9 @@ double Blocks<D>::strain_mobility(std::size_t slot) const {
 template <int D>
 void Blocks<D>::begin_taking_over(const Blocks& other, std::size_t count) {
   free_slots_.reserve(count);
-  const auto reserve = [&](auto&... arrays) { (arrays.reserve(count), ...); };
-  reserve(kind, material, generation, position, velocity, force, applied_force, rotation, spin, momentum,
-          torque, applied_torque, mass, inertia, radius, largest_face, thickness, held);
+  kind.reserve(count);
+  generation.reserve(count);
+  std::apply([&](auto&... arrays) { (arrays.reserve(count), ...); }, entries());
   if constexpr (D == 2) angle.reserve(count);
   outlines_.begin_taking_over(other.outlines_, count);
 }
@@ -133,11 +140,6 @@ std::int32_t Blocks<D>::occupy(const typename Outlines<D>::Taken& outline, Block
   kind[s] = block_kind;
   if (moves(s)) moving_end_ = std::max(moving_end_, std::int64_t(slot) + 1);
   material[s] = block_material;
-  force[s] = applied_force[s] = Vector<D>::Zero();
-  torque[s] = applied_torque[s] = Angular<D>::Zero();
-  if constexpr (D == 2) angle[s] = 0;
-  rotation[s] = Rotation<D>();
-  spin[s] = Angular<D>::Zero();
   return slot;
 }
 
@@ -151,7 +153,6 @@ std::int32_t Blocks<D>::add(const Shape<D>& shape, BlockKind block_kind, std::in
   radius[s] = shape.bounding_radius();
   largest_face[s] = largest_face_of(shape);
   thickness[s] = shape.thickness();
-  held[s] = 0;
   if (block_kind >= BlockKind::affine) deformations_.add(undeformed(shape, density, slot));
   place(slot, shape.centroid(), Rotation<D>());
   set_motion(slot, Vector<D>::Zero(), Angular<D>::Zero());
@@ -165,8 +166,7 @@ void Blocks<D>::remove(std::int32_t slot) {
   outlines_.drop(slot);
   if (is_deformable(std::size_t(slot))) deformations_.remove(slot);
   bonds_.forget(slot);
-  kind[std::size_t(slot)] = BlockKind::none;
-  --living_;
+  empty(std::size_t(slot));
 }
 
 /// A block whose rotation is held does not rotate.
@@ -183,8 +183,7 @@ void Blocks<D>::take_back(std::int32_t slot) {
   const std::size_t s = std::size_t(slot);
   outlines_.take_back(slot);
   if (is_deformable(s)) deformations_.remove(slot);
-  kind[s] = BlockKind::none;
-  --living_;
+  empty(s);
   if (--generation[s] == 0) {
     resize(s);
   } else {

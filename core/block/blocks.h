@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 
 #include "block/block_kind.h"
 #include "block/block_state.h"
@@ -37,7 +38,8 @@ class Blocks {
   explicit Blocks(Memory* memory);
 
   std::size_t slot_count() const { return kind.size(); }
-  /// From this slot on no block moves. So fixed blocks that are added last cost a pass over blocks nothing.
+  /// From this slot on no block moves; the one before does. So fixed blocks that are added last cost a pass
+  /// over blocks nothing.
   std::size_t moving_end() const { return std::size_t(moving_end_); }
   bool lives(std::size_t slot) const { return kind[slot] != BlockKind::none; }
   /// By Newton's law.
@@ -249,7 +251,13 @@ class Blocks {
   Array<std::uint8_t> held;    // bits, see hold(); 0 unless rigid
 
  private:
+  /// The arrays with an entry per slot, but for the kind, and for the generation, which outlives its block.
+  auto entries() {
+    return std::tie(material, position, velocity, force, applied_force, rotation, spin, momentum, torque,
+                    applied_torque, mass, inertia, radius, largest_face, thickness, held);
+  }
   void resize(std::size_t slots);
+  void empty(std::size_t slot);
   std::int32_t add(const BlockState<D>& state, const typename Outlines<D>::Taken& outline);
   std::int32_t occupy(const typename Outlines<D>::Taken& outline, BlockKind block_kind,
                       std::int32_t block_material);

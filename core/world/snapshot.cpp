@@ -20,6 +20,15 @@ bool read_state(std::span<const std::byte> state, World<D>& world) {
   return true;
 }
 
+template <int D>
+void copy_state(const World<D>& from, World<D>& to) {
+  Array<std::byte> state(state_size(from), std::byte(), from.blocks().kind.get_allocator());
+  write_state(from, state.data());
+  Reader reader(state);
+  to.visit(reader);
+  to.end_reading();
+}
+
 // Instantiated only here, because reading and writing generates code for each type of part.
 #define HALFSPACE_STATE(D)                                             \
   template std::size_t write_state(const World<D>&, std::byte*);       \
@@ -27,7 +36,8 @@ bool read_state(std::span<const std::byte> state, World<D>& world) {
   template std::size_t write_state(const Meshes<D>&, std::byte*);      \
   template std::size_t write_state(const Bonds<D>&, std::byte*);       \
   template std::size_t write_state(const ContactList<D>&, std::byte*); \
-  template bool read_state(std::span<const std::byte>, World<D>&);
+  template bool read_state(std::span<const std::byte>, World<D>&);     \
+  template void copy_state(const World<D>&, World<D>&);
 
 HALFSPACE_STATE(2)
 HALFSPACE_STATE(3)

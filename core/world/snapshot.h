@@ -18,7 +18,7 @@ class World;
 namespace snapshot {
 
 constexpr std::uint64_t magic = 0x31'77'70'73'66'6c'61'68;  // "halfspw1"
-constexpr std::uint32_t version = 27;
+constexpr std::uint32_t version = 28;
 
 /// FNV-1a, to detect damaged files.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -139,6 +139,10 @@ std::size_t state_size(const Part& part) {
 /// Restores into a new world a state that write_state() wrote. Returns false for any other.
 template <int D>
 bool read_state(std::span<const std::byte> state, World<D>& world);
+
+/// Gives a new world the state of another.
+template <int D>
+void copy_state(const World<D>& from, World<D>& to);
 
 }  // namespace snapshot
 }  // namespace halfspace

@@ -237,16 +237,23 @@ StepResult World<D>::predict_changed() {
   }
 }
 
-/// Predicts the next motion. Where it cannot be made, actions return to the loads of the last one.
+/// The predicted motion is not made.
+template <int D>
+void World<D>::drop_motion() {
+  model_.actions.drop_motion(model_.blocks);
+  hard_contacts_.drop_motion();
+  contacts_.neighbors().forget_announcements();
+}
+
+/// Predicts the next motion, unless it cannot be made.
 template <int D>
 StepResult World<D>::predict_next() {
-  const typename Actions<D>::Motion last = model_.actions.motion();
   try {
     const StepResult result = edited_ || contacts_.has_new_blocks() ? predict_changed() : predict_rest();
-    if (result != StepResult::ok) model_.actions.return_to(last, model_.blocks);
+    if (result != StepResult::ok) drop_motion();
     return result;
   } catch (const std::bad_alloc&) {
-    model_.actions.return_to(last, model_.blocks);
+    drop_motion();
     throw;
   }
 }
@@ -255,14 +262,12 @@ StepResult World<D>::predict_next() {
 /// ends in between, and can be continued.
 template <int D>
 StepResult World<D>::step() {
+  drop_plan();
   motions_ = 0;
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
   for (;;) {
     const StepResult result = predict_next();
-    if (result != StepResult::ok) {
-      contacts_.neighbors().forget_announcements();
-      return result;
-    }
+    if (result != StepResult::ok) return result;
     const double duration = integrator_.duration();
     const bool is_last = duration >= clock_.rest();
     move();
@@ -293,6 +298,7 @@ StepResult World<D>::step() {
   template StepResult World<D>::predict_rest();             \
   template StepResult World<D>::prepare_and_predict();      \
   template StepResult World<D>::predict_changed();          \
+  template void World<D>::drop_motion();                    \
   template StepResult World<D>::predict_next();             \
   template StepResult World<D>::step();
 

@@ -295,6 +295,7 @@ class World {
 
  private:
   void edit();
+  void note_added(std::int32_t slot);
   PartOverlap overlap_of_parts(std::int32_t compound) const;
   void change_laws();
   MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
@@ -352,10 +353,13 @@ class World {
   bool predict_motion(double duration);
   void predict_actions(double duration);
   bool wake_met(double duration);
+  void drop_plan();
+  SharedMotion predict_in_share();
   StepResult prepare_and_predict();
   StepResult predict_changed();
   StepResult predict_rest();
   StepResult predict_next();
+  void drop_motion();
   StepResult divide();
   StepResult diverged() const;
   StepResult load_changed();

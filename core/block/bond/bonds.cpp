@@ -15,7 +15,6 @@ void Bonds<D>::add(Bond<D> bond, std::span<const BondPoint<D>> points) {
   if (events_.capacity() < wanted) events_.reserve(2 * wanted);
   bond.first_point = std::int64_t(points_.size());
   bond.point_count = std::int64_t(points.size());
-  rings_.invalidate();
   bonds_.push_back(bond);
   points_.insert(points_.end(), points.begin(), points.end());
 }

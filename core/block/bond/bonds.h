@@ -72,7 +72,8 @@ class Bonds {
   }
   /// Removes the law added last, and the bonds of that law, which were added after it.
   void take_back_law();
-  /// Adds a bond with its points. When memory runs out, nothing has changed. Call index() after the last one.
+  /// Adds a bond with its points. When memory runs out, nothing has changed. After the last one call index(),
+  /// and rings().invalidate().
   void add(Bond<D> bond, std::span<const BondPoint<D>> points);
   /// Rebuilds the search index of keeps().
   void index();

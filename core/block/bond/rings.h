@@ -20,8 +20,12 @@ class BondRings {
  public:
   explicit BondRings(Memory* memory) : members_(memory), links_(memory), faced_(memory) {}
 
-  /// Bonds or blocks have changed: all rings must be rebuilt.
-  void invalidate() { is_current_ = 0; }
+  /// Bonds or blocks have changed: there are no rings until they are found again.
+  void invalidate() {
+    members_.clear();
+    links_.clear();
+    is_current_ = 0;
+  }
   bool is_current() const { return is_current_ != 0; }
   /// Finds the rings at the present places of the points. When memory runs out, nothing has changed.
   void find(const Blocks<D>& blocks);

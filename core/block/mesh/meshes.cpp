@@ -154,9 +154,10 @@ void Meshes<D>::index_surface() {
 }
 
 template <int D>
-void Meshes<D>::take_back_surface(std::size_t from) {
+void Meshes<D>::take_back_surface(std::size_t from, std::int32_t which, double steepest) {
   surface_.resize(from);
   index_surface();
+  bodies_[std::size_t(which)].steepest = steepest;
 }
 
 template <int D>

@@ -123,8 +123,9 @@ class Meshes {
   /// Removes the cells with is_gone[cell] and their surface, and updates the masses of nodes. A node without
   /// cells stays in place.
   void remove_cells(std::int32_t body, const Array<std::uint8_t>& is_gone, const BulkMaterials& materials);
-  /// Removes the surface cells from this index on; their blocks have been removed before.
-  void take_back_surface(std::size_t from);
+  /// Removes the surface cells of a body from this index on; their blocks have been removed before.
+  /// `steepest`: of the body without them.
+  void take_back_surface(std::size_t from, std::int32_t body, double steepest);
   /// Updates what elements have computed from their materials.
   void renew_elasticity(const BulkMaterials& materials);
 

@@ -7,6 +7,7 @@ namespace halfspace {
 /// Called by every external change. prepare() books its change of energy as external work.
 template <int D>
 void World<D>::edit() {
+  drop_plan();
   if (!edited_) ledger_.note_edit();
   edited_ = true;
   sleep_.wake_all(clock_.time());
@@ -38,14 +39,20 @@ void World<D>::set_law(std::int32_t a, std::int32_t b, const ContactLaw& law) {
   change_laws();
 }
 
+/// A block that was added, alone or as a part of a compound or of a surface.
+template <int D>
+void World<D>::note_added(std::int32_t slot) {
+  contacts_.add_fresh(slot, model_.blocks.slot_count());
+  contacts_.neighbors().invalidate();
+  share_.forget_keys();
+}
+
 template <int D>
 std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                                  const Vector<D>& position, const Rotation<D>& rotation) {
   contacts_.make_room_for_block();
   const std::int32_t slot = model_.blocks.add(shape, kind, material, density(material));
-  contacts_.add_fresh(slot, model_.blocks.slot_count());
-  contacts_.neighbors().invalidate();
-  share_.forget_keys();
+  note_added(slot);
   set_pose(slot, position, rotation);
   return slot;
 }
@@ -53,7 +60,8 @@ std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int
 template <int D>
 void World<D>::remove_block(std::int32_t slot) {
   model_.actions.end_on_block(slot, model_.blocks);
-  model_.blocks.remove(slot);
+  model_.blocks.is_compound(std::size_t(slot)) ? model_.blocks.remove_compound(slot)
+                                               : model_.blocks.remove(slot);
   share_.forget_keys();
   model_.bolts.forget(slot);
   // Another block may reuse the slot, so no pair may refer to it.
@@ -141,6 +149,7 @@ void World<D>::clear_surface_loads(std::int32_t slot) {
 template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
   const std::size_t s = std::size_t(slot);
+  drop_plan();
   if (force != model_.blocks.applied_force[s] || torque != model_.blocks.applied_torque[s])
     wake(sleep_.wake_island_of(s, clock_.time()));
   if (model_.blocks.is_affine(s) && share_.is_own(s))
@@ -162,6 +171,7 @@ bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
 
 #define HALFSPACE_MEMBERS(D)                                                                            \
   template void World<D>::edit();                                                                       \
+  template void World<D>::note_added(std::int32_t);                                                     \
   template std::int32_t World<D>::add_material(double);                                                 \
   template void World<D>::change_laws();                                                                \
   template void World<D>::set_default_law(const ContactLaw&);                                           \

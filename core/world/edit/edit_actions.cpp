@@ -44,6 +44,7 @@ void World<D>::prescribe_velocity(std::int32_t slot, const Vector<D>& velocity, 
   Blocks<D>& blocks = model_.blocks;
   const std::size_t s = std::size_t(slot);
   if (velocity == blocks.velocity[s] && spin == blocks.spin[s]) return;
+  drop_plan();
   if (!edited_) {
     ledger_.add_outer_power(blocks.force[s].dot(blocks.velocity[s] - velocity) +
                             blocks.torque[s].dot(blocks.spin[s] - spin));

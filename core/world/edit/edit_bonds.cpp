@@ -71,6 +71,7 @@ std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
     return 0;
   }
   bonds.index();
+  bonds.rings().invalidate();
   contacts_.neighbors().invalidate();  // rings of bonds exclude pairs
   // Bonds replace the bonds of contact laws.
   for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
@@ -85,10 +86,17 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
   return make_bonds_of(law, [&](std::int32_t number) { return std::int64_t(bond_pair(a, b, number)); }) > 0;
 }
 
-/// The neighbour list contains all pairs that touch.
+/// A neighbour list contains all pairs that touch: the one in use, or else one for this call alone, so that
+/// nothing has changed when memory runs out.
 template <int D>
 std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
-  if (contacts_.neighbors().needs_rebuild()) renew_neighbors();
+  NeighborList<D> own(threads_, sums_.get_allocator().resource());
+  const bool is_list_in_use = !contacts_.neighbors().needs_rebuild();
+  if (!is_list_in_use) {
+    own.search_again(model_.blocks, {model_.settings.skin}, false);
+    own.renew(model_.blocks, false);
+  }
+  const Array<Candidate<D>>& pairs = is_list_in_use ? contacts_.neighbors().pairs() : own.pairs();
   const auto are_wanted = [&](const Candidate<D>& pair) {
     const std::int32_t of_a = model_.blocks.material[std::size_t(pair.a)];
     const std::int32_t of_b = model_.blocks.material[std::size_t(pair.b)];
@@ -96,7 +104,7 @@ std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t mate
   };
   return make_bonds_of(law, [&](std::int32_t number) {
     std::int64_t count = 0;
-    for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
+    for (const Candidate<D>& pair : pairs) {
       if (are_wanted(pair) && bond_pair(pair.a, pair.b, number)) ++count;
     }
     return count;

@@ -46,9 +46,7 @@ PlacedCompound World<D>::add_compound(std::span<const Shape<D>* const> shapes, s
     blocks.take_back_compound(placed.block);
     return placed;
   }
-  for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(placed.block)))
-    contacts_.add_fresh(part.block, blocks.slot_count());
-  contacts_.neighbors().invalidate();
+  for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(placed.block))) note_added(part.block);
   set_pose(placed.block, pose.position, pose.rotation);
   return placed;
 }
@@ -56,10 +54,7 @@ PlacedCompound World<D>::add_compound(std::span<const Shape<D>* const> shapes, s
 template <int D>
 void World<D>::remove_compound(std::int32_t slot) {
   for (const Part<D>& part : model_.blocks.compounds().parts_of(std::size_t(slot))) remove_block(part.block);
-  model_.blocks.remove_compound(slot);
-  integrator_.forget_reaction();
-  edit();
-  sleep_.forget(std::size_t(slot));
+  remove_block(slot);
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                                 \

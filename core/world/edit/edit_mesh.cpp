@@ -106,9 +106,7 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
     take_back();
     return placed;
   }
-  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body))
-    contacts_.add_fresh(cell.block, blocks.slot_count());
-  contacts_.neighbors().invalidate();
+  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body)) note_added(cell.block);
   forget_contacts();
   edit();
   return placed;

@@ -96,9 +96,10 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   Array<int> bearing(std::size_t(meshes.body(which).node_count), 0, memory);
   const std::size_t before = meshes.surface().size();
   const std::size_t first_node = std::size_t(meshes.body(which).first_node);
+  const double steepest = meshes.body(which).steepest;
   const auto take_back = [&] {
     for (std::size_t i = meshes.surface().size(); i-- > before;) blocks.take_back(meshes.surface()[i].block);
-    meshes.take_back_surface(before);
+    meshes.take_back_surface(before, which, steepest);
   };
   MeshFaultReport report;
   try {
@@ -112,8 +113,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
     return report;
   }
   release(which, is_gone, released);
-  for (std::size_t i = before; i < meshes.surface().size(); ++i)
-    contacts_.add_fresh(meshes.surface()[i].block, blocks.slot_count());
+  for (std::size_t i = before; i < meshes.surface().size(); ++i) note_added(meshes.surface()[i].block);
   for (const SurfaceCell<D>& cell : meshes.surface()) {
     if (cell.body == which && is_gone[std::size_t(cell.cell)]) remove_block(cell.block);
   }

@@ -67,6 +67,12 @@ class HardContacts {
     rigid_.forget(slot);
   }
 
+  /// The predicted motion is not made.
+  void drop_motion() {
+    points_.drop_motion();
+    rigid_.drop_motion();
+  }
+
   /// False for what cannot be, after reading a snapshot.
   bool is_consistent() const {
     return points_.is_consistent() && rigid_.is_consistent() && pause_.is_consistent();

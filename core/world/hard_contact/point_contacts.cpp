@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/hard_contact/limits.h"
 
@@ -233,6 +234,7 @@ void PointContacts<D>::end_motion(EnergyLedger& ledger) {
   for (ContactConstraint<D>& at : planned_) break_when_due(at);
   const double rate = changes().rate();
   for (ContactConstraint<D>& at : planned_) at.force = rate * at.impulse;
+  iterations_ += std::exchange(next_iterations_, 0);
   exchange_known(ledger);
 }
 
@@ -271,7 +273,7 @@ bool PointContacts<D>::is_consistent() const {
            is_finite(at.stored_normal_work) && is_finite(at.impact_loss) && is_finite(at.touched_at) &&
            is_nonnegative(at.area);
   };
-  return touches_ >= 0 && halfspace::all(known_, is_valid) &&
+  return touches_ >= 0 && iterations_ >= 0 && halfspace::all(known_, is_valid) &&
          std::is_sorted(known_.begin(), known_.end(), precedes<D>);
 }
 

@@ -50,7 +50,7 @@ class PointContacts {
   void reserve() { next_known_.reserve(planned_.size()); }
   /// Adds the changes of velocity by its impulses.
   void solve() {
-    if (!empty()) iterations_ += solve_constraints<D>(planned_, changes());
+    if (!empty()) next_iterations_ += solve_constraints<D>(planned_, changes());
   }
   /// Adds the changes of velocity by its impulses, times a factor.
   void push(double scale = 1);
@@ -72,13 +72,15 @@ class PointContacts {
   /// Drops contacts planned for a motion that was not made.
   void begin() { planned_.clear(); }
   void forget() { known_.clear(); }
+  /// The predicted motion is not made.
+  void drop_motion() { next_iterations_ = 0; }
 
   /// False for what cannot be, after reading a snapshot.
   bool is_consistent() const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, touches_);
+    archive(known_, touches_, iterations_);
   }
 
  private:
@@ -106,10 +108,11 @@ class PointContacts {
   Array<PointContact<D>> next_known_;
   Array<ContactConstraint<D>> planned_;
   Array<ContactConstraint<D>> found_;
-  double motion_began_ = 0;   // time
-  bool is_impact_ = false;    // some contact has closed in this motion
-  std::int64_t touches_ = 0;  // so far
-  std::int64_t iterations_ = 0;
+  double motion_began_ = 0;           // time
+  bool is_impact_ = false;            // some contact has closed in this motion
+  std::int64_t touches_ = 0;          // so far
+  std::int64_t iterations_ = 0;       // of the motions so far
+  std::int64_t next_iterations_ = 0;  // of the coming one
   double deepest_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "world/hard_contact/limits.h"
 
@@ -162,8 +163,8 @@ bool RigidContacts<D>::solve(Half half, double duration) {
 
 template <int D>
 void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
-  iterations_ += result.iterations;
-  unbalanced_velocity_ = std::max(unbalanced_velocity_, result.unbalanced);
+  next_iterations_ += result.iterations;
+  next_unbalanced_velocity_ = std::max(next_unbalanced_velocity_, result.unbalanced);
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
     const ImpulseContact<D>& of = problem_.contacts[c++];
@@ -212,7 +213,7 @@ void RigidContacts<D>::set_motions(Half half) {
 
 template <int D>
 void RigidContacts<D>::find(double duration) {
-  unbalanced_velocity_ = 0;
+  next_unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
   solver_.set_pause(pause_);
   search_.find(duration, known_, planned_);
@@ -317,6 +318,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
 
 template <int D>
 bool RigidContacts<D>::has_impact() const {
+  if (planned_.empty()) return false;  // the problem is that of an earlier motion
   constexpr double fraction = 1e-3;
   const double slow = fraction * integrator_.duration() * model_.settings.gravity.norm();
   return std::any_of(problem_.contacts.begin(), problem_.contacts.end(), [&](const ImpulseContact<D>& of) {
@@ -369,6 +371,8 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   book_motion(ledger);
   replace_known(duration);
   pause_ = solver_.pause();
+  iterations_ += std::exchange(next_iterations_, 0);
+  unbalanced_velocity_ = next_unbalanced_velocity_;
   planned_.clear();
   duration_ = duration;
 }
@@ -418,8 +422,9 @@ bool RigidContacts<D>::is_consistent() const {
            halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
            is_finite(at.impact_loss);
   };
-  return touches_ >= 0 && pause_.is_consistent() && is_nonnegative(duration_) &&
-         halfspace::all(known_, is_valid) && std::is_sorted(known_.begin(), known_.end(), is_before<D>);
+  return touches_ >= 0 && iterations_ >= 0 && is_nonnegative(unbalanced_velocity_) &&
+         pause_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
+         std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 
 template class RigidContacts<2>;

@@ -92,12 +92,14 @@ class RigidContacts {
     std::erase_if(known_,
                   [&](const RigidContact<D>& contact) { return contact.a == slot || contact.b == slot; });
   }
+  /// The predicted motion is not made.
+  void drop_motion() { next_iterations_ = 0; }
   /// False for what cannot be, after reading a snapshot.
   bool is_consistent() const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, duration_, touches_, pause_);
+    archive(known_, duration_, touches_, iterations_, unbalanced_velocity_, pause_);
   }
 
  private:
@@ -126,9 +128,11 @@ class RigidContacts {
   // Of all impulses of a motion so far, J: losses, and the sum of the magnitudes of their works.
   double impact_loss_ = 0, friction_loss_ = 0, whole_work_ = 0;
   std::int64_t touches_ = 0;
-  std::int64_t iterations_ = 0;
+  std::int64_t iterations_ = 0;       // of the motions so far
+  std::int64_t next_iterations_ = 0;  // of the coming one
   double deepest_ = 0;
-  double unbalanced_velocity_ = 0;  // of the last motion
+  double unbalanced_velocity_ = 0;       // of the last motion
+  double next_unbalanced_velocity_ = 0;  // of the coming one
   double fraction_before_impact_ = 1;
 };
 

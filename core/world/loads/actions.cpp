@@ -48,6 +48,16 @@ void give_by_table(GivenVelocity<Velocity>& given, bool is_acceleration, const V
   }
 }
 
+/// Loads act on blocks that move freely, motions on prescribed blocks and along held axes of rigid ones: an
+/// axis that is not held any more does not follow its motion.
+template <int D>
+bool can_act_on(const Blocks<D>& blocks, std::size_t slot, ActionKind kind) {
+  if (blocks.is_of_mesh(slot) || blocks.is_part(slot)) return false;
+  if (is_load(kind)) return blocks.moves_freely(slot);
+  return blocks.kind[slot] == BlockKind::prescribed ||
+         (blocks.kind[slot] == BlockKind::rigid && !is_angular(kind));
+}
+
 bool is_same_motion(ActionKind a, ActionKind b) {
   return !is_load(a) && !is_load(b) && is_angular(a) == is_angular(b);
 }
@@ -233,6 +243,7 @@ void Actions<D>::act_on_nodes(const NodeAction& action, std::size_t first, const
 
 template <int D>
 void Actions<D>::accept_motion() {
+  made_ = motion_;
   for (Action<D>& action : actions_) {
     if (action.kind == ActionKind::servo) action.drift = target_at(action.slot).servo.drift;
   }
@@ -273,16 +284,18 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
   const auto is_kind = [](ActionKind kind) {
     return kind >= ActionKind::velocity && kind <= ActionKind::servo;
   };
-  const auto names_block = [&](const Action<D>& action) {
-    return action.slot == -1 ||
-           (action.slot >= 0 && std::size_t(action.slot) < blocks.slot_count() &&
-            blocks.moves(std::size_t(action.slot)) && !blocks.is_of_mesh(std::size_t(action.slot)));
+  const auto acts_on_its_block = [&](const Action<D>& action) {
+    return action.slot < 0 || (std::size_t(action.slot) < blocks.slot_count() &&
+                               can_act_on(blocks, std::size_t(action.slot), action.kind));
   };
   const auto is_valid = [&](const Action<D>& action) {
-    return is_kind(action.kind) && action.table >= 0 && action.table < tables_.count() &&
-           action.place >= ForcePlace::centroid && action.place <= ForcePlace::fixed &&
-           is_finite(action.start) && is_nonnegative(action.max_speed) && is_finite(action.drift) &&
-           action.scale.allFinite() && action.point.allFinite();
+    const bool is_on_all = action.slot == -1 && action.kind == ActionKind::acceleration;
+    const bool is_servo = action.kind == ActionKind::servo;
+    return is_kind(action.kind) && (is_on_all || action.slot >= 0) &&
+           (!is_servo || (action.max_speed > 0 && is_positive(in<D>(action.scale).norm()))) &&
+           action.table >= 0 && action.table < tables_.count() && action.place >= ForcePlace::centroid &&
+           action.place <= ForcePlace::fixed && is_finite(action.start) && is_nonnegative(action.max_speed) &&
+           is_finite(action.drift) && action.scale.allFinite() && action.point.allFinite();
   };
   std::int64_t first = 0;
   const auto is_valid_on_nodes = [&](const NodeAction& action) {
@@ -297,11 +310,11 @@ bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
                        [&](std::int32_t node) { return node >= 0 && node < body.node_count; });
   };
   const auto is_valid_of_key = [&](const ActionOfKey<D>& one) { return is_valid(one.action); };
-  return tables_.is_consistent() && all(actions_, names_block) && all(actions_, is_valid) &&
+  return tables_.is_consistent() && all(actions_, acts_on_its_block) && all(actions_, is_valid) &&
          all(of_keys_, is_valid_of_key) && all(node_actions_, is_valid_on_nodes) &&
          std::size_t(first) == nodes_.size() && scales_.size() == nodes_.size() &&
-         all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(motion_.time) &&
-         is_nonnegative(motion_.duration);
+         all(scales_, [](const Vector<D>& scale) { return scale.allFinite(); }) && is_finite(made_.time) &&
+         is_nonnegative(made_.duration);
 }
 
 template class Actions<2>;

@@ -172,20 +172,18 @@ class Actions {
   };
   /// Sets loads and given velocities for the coming motion.
   void predict(const Motion& motion, const Blocks<D>& blocks);
-  /// The predicted motion is made, so that servos go on from its end.
+  /// The predicted motion is made, and servos go on from its end.
   void accept_motion();
+  /// The predicted motion is not made: loads are those of the last one again. Takes no memory.
+  void drop_motion(const Blocks<D>& blocks) {
+    motion_ = made_;
+    if (is_renewed_) renew(blocks);  // else loads have not changed since
+  }
   /// Sets the loads for the poses that blocks have now.
   void place_loads(const Blocks<D>& blocks);
   /// Sets targets and loads of the last predicted motion again. Call when actions, slots or nodes come or go,
   /// and after reading. If memory runs out, nothing has changed; without such changes it takes none.
   void renew(const Blocks<D>& blocks);
-  /// The motion that was predicted last.
-  const Motion& motion() const { return motion_; }
-  /// Sets the loads of an earlier motion again. Takes no memory.
-  void return_to(const Motion& motion, const Blocks<D>& blocks) {
-    motion_ = motion;
-    if (is_renewed_) renew(blocks);  // else loads have not changed since
-  }
 
   /// Takes over the actions of another world, those on blocks that are here; a share keeps the others, too,
   /// as their blocks may come. Call renew() afterwards. `key_of(slot)`: of a block there. `slot_of(key)`: of
@@ -193,7 +191,7 @@ class Actions {
   template <class KeyOf, class SlotOf>
   void take_over(const Actions& other, KeyOf key_of, SlotOf slot_of, bool is_whole) {
     tables_ = other.tables_;
-    motion_ = other.motion_;
+    motion_ = made_ = other.made_;
     of_keys_ = other.of_keys_;
     if (of_keys_.empty()) {
       for (const Action<D>& action : other.actions_)
@@ -212,7 +210,8 @@ class Actions {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(tables_, actions_, node_actions_, nodes_, scales_, motion_.time, motion_.duration, of_keys_);
+    archive(tables_, actions_, node_actions_, nodes_, scales_, made_.time, made_.duration, of_keys_);
+    if constexpr (Archive::reads) motion_ = made_;
   }
 
  private:
@@ -242,9 +241,10 @@ class Actions {
   Tables tables_;
   Array<Action<D>> actions_;
   Array<NodeAction> node_actions_;
-  Array<std::int32_t> nodes_;  // of node actions, by their number in the body
-  Array<Vector<D>> scales_;    // likewise
-  Motion motion_;
+  Array<std::int32_t> nodes_;      // of node actions, by their number in the body
+  Array<Vector<D>> scales_;        // likewise
+  Motion motion_;                  // predicted last
+  Motion made_;                    // made last
   Array<ActionOfKey<D>> of_keys_;  // in a share, the actions of the whole world
   // Derived from the above and from the last predicted motion.
   Array<Vector<3>> means_;  // of each action on blocks

@@ -269,7 +269,8 @@ AssemblyFault World<D>::assemble(World<D>& from, std::span<const PackedBlock> bl
   integrator_.look_what_moves();
   const auto was_sent = [](const PackedBlock& block) { return !block.bytes.empty(); };
   const bool is_trusted = std::none_of(blocks.begin(), blocks.end(), was_sent);
-  return {is_trusted || is_consistent() ? AssemblyFault::none : AssemblyFault::inconsistent_state, 0};
+  const bool is_sound = is_trusted ? model_.actions.is_consistent(model_.blocks) : is_consistent();
+  return {is_sound ? AssemblyFault::none : AssemblyFault::inconsistent_state, 0};
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                               \

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include "geometry/precise.h"
 #include "world/world.h"
@@ -43,6 +44,7 @@ void World<D>::set_keys(std::span<const std::int64_t> keys) {
 
 template <int D>
 StepResult World<D>::begin_in_share() {
+  drop_plan();
   if (!edited_ && !contacts_.has_new_blocks()) return StepResult::ok;
   renew_neighbors_if_needed();
   if (contacts_.has_new_blocks()) make_bonds();
@@ -61,8 +63,30 @@ StepResult World<D>::division_in_share() {
   return is_fast ? StepResult::too_fast : StepResult::ok;
 }
 
+/// A planned motion is not made where the world changes before it: the next step plans another.
+template <int D>
+void World<D>::drop_plan() {
+  if (share_.stage() != ShareStage::planned) return;
+  drop_motion();
+  share_.enter(ShareStage::ready);
+}
+
 template <int D>
 SharedMotion World<D>::plan_in_share() {
+  drop_plan();
+  share_.enter(ShareStage::planned);
+  try {
+    const SharedMotion motion = predict_in_share();
+    if (motion.result != StepResult::ok) drop_plan();
+    return motion;
+  } catch (const std::bad_alloc&) {
+    drop_plan();
+    throw;
+  }
+}
+
+template <int D>
+SharedMotion World<D>::predict_in_share() {
   SharedMotion motion;
   motion.needs_assembly = share_.needs_assembly();
   const double duration = clock_.rest();
@@ -83,6 +107,7 @@ SharedMotion World<D>::renew_list_in_share() {
   share_.find_idle(contacts_.neighbors().pairs());
   SharedMotion motion;
   motion.result = division_in_share();
+  if (motion.result != StepResult::ok) drop_plan();
   return motion;
 }
 
@@ -135,7 +160,9 @@ double World<D>::halo() {
   template void World<D>::set_keys(std::span<const std::int64_t>);                                       \
   template StepResult World<D>::begin_in_share();                                                        \
   template StepResult World<D>::division_in_share();                                                     \
+  template void World<D>::drop_plan();                                                                   \
   template SharedMotion World<D>::plan_in_share();                                                       \
+  template SharedMotion World<D>::predict_in_share();                                                    \
   template SharedMotion World<D>::renew_list_in_share();                                                 \
   template void World<D>::end_step_in_share();                                                           \
   template void World<D>::set_loads(std::size_t, const Vector<D>&, const Angular<D>&, const Tensor<D>&); \
