@@ -103,7 +103,7 @@ Action<D> read_block_action(const World<D>& world, const hs_action_def& def) {
 hs_status hs_action_def_init(hs_action_def* def, size_t size) { return write_definition(def, size); }
 
 hs_status hs_world_add_table(hs_world* world, const double times[], hs_view values, int32_t* table) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_view(values, "values");
     require_pointer(table, "table");
     if (values.count == 0) refuse(HS_ERROR_ARGUMENT, "values.count is 0; a table has at least one row");
@@ -155,7 +155,7 @@ hs_status hs_world_end_actions(hs_world* world, hs_block block) {
 
 hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t nodes[], hs_view scales,
                                    const hs_action_def* def) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const hs_action_def known = read_action(w, def);
     if (known.kind != HS_ACTION_FORCE && known.kind != HS_ACTION_VELOCITY &&
         known.kind != HS_ACTION_ACCELERATION) {
@@ -176,7 +176,7 @@ hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t 
 }
 
 hs_status hs_world_end_node_actions(hs_world* world, hs_body body) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.end_node_actions(body_of(w.meshes(), body, "body"));
     return HS_OK;
   });
@@ -184,7 +184,7 @@ hs_status hs_world_end_node_actions(hs_world* world, hs_body body) {
 
 hs_status hs_world_set_node_viscosity(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                                       const double viscosity[9]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t which = body_of(w.meshes(), body, "body");
     const Tensor<D> wanted = read_symmetric_tensor<D>(viscosity, "viscosity");
     require_nodes(w.meshes().body(which), nodes, count);
@@ -202,7 +202,7 @@ hs_status hs_world_set_node_viscosity(hs_world* world, hs_body body, const int32
 }
 
 hs_status hs_world_hold_block(hs_world* world, hs_block block, int32_t axes) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     constexpr std::int32_t all_axes = (1 << D) - 1;
     if ((axes & ~(all_axes | HS_AXIS_ROTATION)) != 0)
@@ -220,7 +220,7 @@ hs_status hs_world_hold_block(hs_world* world, hs_block block, int32_t axes) {
 
 hs_status hs_world_prescribe_velocities(hs_world* world, const hs_block blocks[], hs_view velocities,
                                         hs_view angular_velocities) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
     require_angular_view<D>(angular_velocities, "angular_velocities");
     if (angular_velocities.count != 0 && angular_velocities.count != velocities.count) {

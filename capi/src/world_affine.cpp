@@ -74,7 +74,7 @@ hs_deformation deformation_of(const World<D>& world, std::size_t slot) {
 hs_status hs_elasticity_def_init(hs_elasticity_def* def, size_t size) { return write_definition(def, size); }
 
 hs_status hs_world_set_elasticity(hs_world* world, int32_t material, const hs_elasticity_def* elasticity) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material, "material");
     if (!w.set_elasticity(material, read_elasticity(elasticity, D))) {
       refuse(HS_ERROR_ARGUMENT,
@@ -128,7 +128,7 @@ hs_status hs_world_set_stress(hs_world* world, hs_block block, const double stre
 }
 
 hs_status hs_world_add_surface_load(hs_world* world, hs_block block, int32_t face, const double traction[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::size_t slot = affine_slot_of(w, block);
     const int faces = w.blocks().outline(std::int32_t(slot)).face_count();
     if (face < 0 || face >= faces)
@@ -139,7 +139,7 @@ hs_status hs_world_add_surface_load(hs_world* world, hs_block block, int32_t fac
 }
 
 hs_status hs_world_clear_surface_loads(hs_world* world, hs_block block) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.clear_surface_loads(std::int32_t(affine_slot_of(w, block)));
     return HS_OK;
   });

@@ -123,7 +123,7 @@ hs_status hs_world_add_bolt(hs_world* world, const hs_bolt_def* given, int64_t* 
 }
 
 hs_status hs_world_remove_bolt(hs_world* world, int64_t number) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::optional<std::size_t> index = w.model().bolts.index_of(number);
     if (!index) {
       refuse(HS_ERROR_STALE_ID, "number is %lld; the world has no such bolt", static_cast<long long>(number));

@@ -147,7 +147,7 @@ hs_status hs_world_bond_materials(hs_world* world, int32_t material_a, int32_t m
 }
 
 hs_status hs_world_hold_bonds(hs_world* world, int32_t are_held) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     if (are_held != 0 && are_held != 1)
       refuse(HS_ERROR_ARGUMENT, "are_held is %d; it must be 0 or 1", are_held);
     w.hold_bonds(are_held == 1);

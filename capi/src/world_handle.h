@@ -145,6 +145,22 @@ void require_between_steps(const World<D>& world) {
            stage == ShareStage::begun ? "hs_world_end_begin()" : "hs_world_end_step()");
 }
 
+/// Refuses a new list of pairs where copies may have rested since the last one.
+template <int D>
+void require_copies_in_place(const World<D>& world) {
+  if (world.share().has_stale_copies() && !world.is_detected() && world.candidates().needs_rebuild())
+    refuse(HS_ERROR_STATE, "laws have changed since copies were brought; call hs_world_assemble() first");
+}
+
+/// The body of an entry point that changes the world: as with_world(), and refused within a step in pieces.
+template <class Use>
+hs_status with_world_between_steps(hs_world* world, const char* function, Use&& use) {
+  return with_world(world, function, [&]<int D>(World<D>& w) {
+    require_between_steps(w);
+    return use(w);
+  });
+}
+
 /// Refuses what only the whole world can do, between steps.
 template <int D>
 void require_joined(const World<D>& world) {

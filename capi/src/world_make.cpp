@@ -178,7 +178,7 @@ void hs_world_destroy(hs_world* world) {
 }
 
 hs_status hs_world_add_material(hs_world* world, double density, int32_t* material) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(material, "material");
     require_above_zero(density, "density");
     *material = w.add_material(density);
@@ -187,7 +187,7 @@ hs_status hs_world_add_material(hs_world* world, double density, int32_t* materi
 }
 
 hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const ContactLaw read = read_law(law);
     require_known_length(w, read);
     w.set_default_law(read);
@@ -196,7 +196,7 @@ hs_status hs_world_set_default_law(hs_world* world, const hs_law_def* law) {
 }
 
 hs_status hs_world_set_law(hs_world* world, int32_t material_a, int32_t material_b, const hs_law_def* law) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_material(w, material_a, "material_a");
     require_material(w, material_b, "material_b");
     const ContactLaw read = read_law(law);

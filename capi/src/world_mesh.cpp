@@ -206,7 +206,7 @@ hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_
 }
 
 hs_status hs_world_remove_body(hs_world* world, hs_body body) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.remove_mesh(body_of(w.meshes(), body, "body"));
     return HS_OK;
   });
@@ -214,7 +214,7 @@ hs_status hs_world_remove_body(hs_world* world, hs_body body) {
 
 hs_status hs_world_remove_cells(hs_world* world, hs_body body, const int32_t cells[], int64_t count,
                                 hs_mutable_view released) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t which = body_of(w.meshes(), body, "body");
     const Body<D>& known = w.meshes().body(which);
     require_view<D>(released, "released");
@@ -263,7 +263,7 @@ hs_status hs_world_get_node_forces(const hs_world* world, hs_body body, hs_mutab
 }
 
 hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view velocities) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
     const std::int32_t which = body_of(w.meshes(), body, "body");
     const Body<D>& known = w.meshes().body(which);
@@ -284,7 +284,7 @@ hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view ve
 
 hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                               int32_t axes, const double velocity[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t which = body_of(w.meshes(), body, "body");
     const Body<D>& known = w.meshes().body(which);
     if (axes < 0 || axes >= 1 << D) {
@@ -307,7 +307,7 @@ hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes
 
 hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                                   const double force[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
     const Vector<D> wanted = read_finite_vector<D>(force, "force");
     for_each_node(known, nodes, count, [&](std::size_t node) { w.set_node_force(node, wanted); });
@@ -317,7 +317,7 @@ hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t n
 
 hs_status hs_world_set_body_stress(hs_world* world, hs_body body, const double stress[9],
                                    const double gradient[27]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t which = body_of(w.meshes(), body, "body");
     StressField<D> field{read_symmetric_tensor<D>(stress, "stress"), {}};
     for (int k = 0; k < D; ++k) {

@@ -1,6 +1,6 @@
 #include "halfspace/plan.h"
+#include "prepared_world.h"
 #include "sized_struct.h"
-#include "world_bytes.h"
 
 using namespace halfspace;
 using namespace halfspace::capi;
@@ -75,25 +75,6 @@ void find_limit(World<D>& world, hs_world_plan& plan) {
   plan.limiting_cell = meshes.stiffest_cell_of(body, world.model().materials.bulk());
 }
 
-/// A copy of a world.
-template <int D>
-class Copy {
- public:
-  Copy(hs_context* context, const World<D>& world) : context_(context) {
-    Array<std::byte> state(snapshot::state_size(world), &context->memory);
-    snapshot::write_state(world, state.data());
-    handle_ = restore<D>(context, state);
-  }
-  ~Copy() { destroy(context_, handle_); }
-  Copy(const Copy&) = delete;
-
-  World<D>& world() { return handle_->world; }
-
- private:
-  hs_context* context_;
-  WorldHandle<D>* handle_;
-};
-
 template <int D>
 void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   Stopwatch stopwatch;
@@ -120,9 +101,8 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     require_count(steps, "steps");
     require_pointer(plan, "plan");
     require_report_size(size, sizeof(hs_world_plan));
-    Copy<D> copy(world->context, given);
-    World<D>& w = copy.world();
-    w.prepare();  // updates contacts and time step after a change
+    PreparedCopy<D> copy(*world, given);
+    World<D>& w = copy.world;
     hs_world_plan ours{};
     ours.dimension = D;
     count_kinds(w.blocks(), ours);

@@ -1,6 +1,7 @@
 #include <cstddef>
 
 #include "halfspace/relax.h"
+#include "prepared_world.h"
 #include "refuse_step.h"
 #include "sized_struct.h"
 #include "world_handle.h"
@@ -78,20 +79,22 @@ hs_status hs_world_get_balance(hs_world* world, hs_balance* balance, size_t size
     require_joined(w);
     require_pointer(balance, "balance");
     require_report_size(size, sizeof(hs_balance));
-    write_balance(w, w.balance(), 0, balance, size);
+    query_prepared(*world, w, [&](World<D>& prepared) {
+      write_balance(prepared, prepared.balance(), 0, balance, size);
+    });
     return HS_OK;
   });
 }
 
 hs_status hs_world_set_gravity(hs_world* world, const double gravity[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.set_gravity(read_finite_vector<D>(gravity, "gravity"));
     return HS_OK;
   });
 }
 
 hs_status hs_world_set_damping(hs_world* world, double local_damping, double mass_damping) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require(local_damping >= 0 && local_damping < 1, local_damping, "local_damping",
             "at least 0 and below 1");
     require_from_zero(mass_damping, "mass_damping");
@@ -101,7 +104,7 @@ hs_status hs_world_set_damping(hs_world* world, double local_damping, double mas
 }
 
 hs_status hs_world_set_time_step(hs_world* world, double time_step) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.set_time_step(require_from_zero(time_step, "time_step"));
     return HS_OK;
   });

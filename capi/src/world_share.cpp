@@ -76,11 +76,6 @@ hs_share_plan plan_of(const SharedMotion& motion) {
   return {motion.needs_list, motion.needs_assembly, refusal, 0};
 }
 
-template <int D>
-void enter_planned(World<D>& w, const SharedMotion& motion) {
-  w.share().enter(motion.result == StepResult::ok ? ShareStage::planned : ShareStage::ready);
-}
-
 [[noreturn]] void refuse_assembly(const AssemblyFault& fault, std::span<const PackedBlock> blocks) {
   const auto i = static_cast<long long>(fault.block);
   const auto key = static_cast<long long>(blocks.empty() ? -1 : blocks[fault.block].key);
@@ -156,7 +151,7 @@ hs_world* assemble(hs_context* context, World<D>& from, const hs_packed blocks[]
 }  // namespace
 
 hs_status hs_world_set_keys(hs_world* world, const int64_t keys[], int64_t count) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_whole(w, "its keys are those that it was assembled with");
     if (count != w.blocks().count()) {
       refuse(HS_ERROR_ARGUMENT, "count is %lld; the world has %lld blocks", static_cast<long long>(count),
@@ -273,7 +268,7 @@ hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
 }
 
 hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(sums, "sums");
     std::array<double, ledger_count> all;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -290,8 +285,7 @@ hs_status hs_world_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_shareable(w);
     require_piece(w.share().stage() != ShareStage::moved, "hs_world_end_step()");
-    if (w.share().has_stale_copies() && !w.is_detected() && w.candidates().needs_rebuild())
-      refuse(HS_ERROR_STATE, "laws have changed since copies were brought; call hs_world_assemble() first");
+    require_copies_in_place(w);
     const StepResult result = w.begin_in_share();
     if (result != StepResult::ok) refuse(HS_ERROR_STATE, "the world has no time step");
     w.share().enter(ShareStage::begun);
@@ -312,13 +306,10 @@ hs_status hs_world_plan_motion(hs_world* world, hs_share_plan* plan) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(plan, "plan");
     require_shareable(w);
-    const ShareStage stage = w.share().stage();
+    require_between_steps(w);
     require_piece(!w.is_changed() && !w.contacts().has_new_blocks(),
                   "hs_world_begin() and hs_world_end_begin()");
-    require_piece(stage == ShareStage::ready || stage == ShareStage::planned, "hs_world_end_step()");
-    const SharedMotion motion = w.plan_in_share();
-    *plan = plan_of(motion);
-    enter_planned(w, motion);
+    *plan = plan_of(w.plan_in_share());
     return HS_OK;
   });
 }
@@ -327,16 +318,14 @@ hs_status hs_world_renew_list(hs_world* world, hs_share_plan* plan) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(plan, "plan");
     require_piece(w.share().stage() == ShareStage::planned, "hs_world_plan_motion()");
-    const SharedMotion motion = w.renew_list_in_share();
-    *plan = plan_of(motion);
-    enter_planned(w, motion);
+    *plan = plan_of(w.renew_list_in_share());
     return HS_OK;
   });
 }
 
 hs_status hs_world_move(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_piece(w.share().stage() == ShareStage::planned && !w.is_changed(), "hs_world_plan_motion()");
+    require_piece(w.share().stage() == ShareStage::planned, "hs_world_plan_motion()");
     require_piece(!w.candidates().needs_rebuild(), "hs_world_renew_list()");
     w.move_and_load();
     w.share().enter(ShareStage::moved);

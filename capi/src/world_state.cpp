@@ -98,7 +98,7 @@ hs_status hs_world_set_pose(hs_world* world, hs_block block, const hs_pose* pose
 
 hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double velocity[3],
                                 const double angular_velocity[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     require_moved_by_itself(w.blocks(), slot, "block");
     const Vector<D> v = read_finite_vector<D>(velocity, "velocity");
@@ -115,7 +115,7 @@ hs_status hs_world_set_velocity(hs_world* world, hs_block block, const double ve
 
 hs_status hs_world_set_applied_force(hs_world* world, hs_block block, const double force[3],
                                      const double torque[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const std::int32_t slot = slot_of(w.blocks(), block, "block");
     const Vector<D> f = read_finite_vector<D>(force, "force");
     const Angular<D> t = read_finite_angular<D>(torque, "torque");
@@ -171,7 +171,7 @@ hs_status hs_world_get_velocities(const hs_world* world, hs_mutable_view velocit
 }
 
 hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view angular_velocities) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const bool with_turns =
         require_one_per_block(w.blocks(), velocities, "velocities", angular_velocities, "angular_velocities");
     const auto for_each_velocity = [&](auto use) {
@@ -197,7 +197,7 @@ hs_status hs_world_set_velocities(hs_world* world, hs_view velocities, hs_view a
 }
 
 hs_status hs_world_set_applied_forces(hs_world* world, hs_view forces, hs_view torques) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const bool with_torques = require_one_per_block(w.blocks(), forces, "forces", torques, "torques");
     const auto for_each_force = [&](auto use) {
       for_each_block(w.blocks(), [&](std::int64_t i, std::int32_t slot) {

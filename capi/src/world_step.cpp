@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "prepared_world.h"
 #include "refuse_step.h"
 #include "sized_struct.h"
 #include "strided_view.h"
@@ -142,10 +143,47 @@ void write_hard_contact(const World<D>& world, std::size_t c, hs_contact& out) {
   write_rigid_contact(world, world.hard_contacts().rigid().all()[c - points.size()], out);
 }
 
+template <int D>
+void write_report(World<D>& w, hs_world_report* report, std::size_t size) {
+  const double stable = w.stable_time_step();
+  const double overlap = w.largest_overlap();
+  const hs_world_report ours = {D,
+                                0,
+                                w.steps(),
+                                w.time(),
+                                w.time_step(),
+                                std::isfinite(stable) ? stable : 0,
+                                w.blocks().count(),
+                                std::int64_t(w.candidates().pairs().size()),
+                                contact_count_of(w),
+                                w.candidates().builds(),
+                                overlap,
+                                w.largest_speed(),
+                                energy_of(w.ledger()),
+                                w.knows_potential() ? w.potential_length() : 0,
+                                w.ledger().block_strain,
+                                w.ledger().block_damping_loss,
+                                w.divided_steps(),
+                                w.max_penetration_ratio(),
+                                std::max(w.peak_overlap(), overlap),
+                                w.peak_speed(),
+                                w.sleeping_count(),
+                                w.max_sleep_error(),
+                                w.hard_contacts().touches(),
+                                w.hard_contacts().iterations(),
+                                w.ledger().impact_loss,
+                                w.hard_contacts().unbalanced_velocity(),
+                                w.ledger().water,
+                                w.bolt_strain_energy(),
+                                w.ledger().bolt_loss};
+  write_sized(ours, report, size);
+}
+
 }  // namespace
 
 hs_status hs_world_detect(hs_world* world, int64_t* touching) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
+    require_copies_in_place(w);
     w.detect();
     if (touching) *touching = std::int64_t(w.contact_count());
     return HS_OK;
@@ -168,6 +206,7 @@ hs_status hs_world_step(hs_world* world, int64_t steps) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_joined(w);
     require_count(steps, "steps");
+    if (steps == 0) w.prepare();
     for (std::int64_t i = 0; i < steps; ++i) require_stepped(w, w.step());
     return HS_OK;
   });
@@ -177,41 +216,13 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(report, "report");
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
-    // Updates energies and time step after a change. Of several shares none does alone, as blocks that it has
-    // taken over still count in another.
-    if (!w.share().has_losses_of_its_own()) w.prepare();
-    const double stable = w.stable_time_step();
-    const double overlap = w.largest_overlap();
-    const hs_world_report ours = {D,
-                                  0,
-                                  w.steps(),
-                                  w.time(),
-                                  w.time_step(),
-                                  std::isfinite(stable) ? stable : 0,
-                                  w.blocks().count(),
-                                  std::int64_t(w.candidates().pairs().size()),
-                                  contact_count_of(w),
-                                  w.candidates().builds(),
-                                  overlap,
-                                  w.largest_speed(),
-                                  energy_of(w.ledger()),
-                                  w.knows_potential() ? w.potential_length() : 0,
-                                  w.ledger().block_strain,
-                                  w.ledger().block_damping_loss,
-                                  w.divided_steps(),
-                                  w.max_penetration_ratio(),
-                                  std::max(w.peak_overlap(), overlap),
-                                  w.peak_speed(),
-                                  w.sleeping_count(),
-                                  w.max_sleep_error(),
-                                  w.hard_contacts().touches(),
-                                  w.hard_contacts().iterations(),
-                                  w.ledger().impact_loss,
-                                  w.hard_contacts().unbalanced_velocity(),
-                                  w.ledger().water,
-                                  w.bolt_strain_energy(),
-                                  w.ledger().bolt_loss};
-    write_sized(ours, report, size);
+    // Of several shares none evaluates a change alone, as blocks that it has taken over still count in
+    // another.
+    if (w.share().has_losses_of_its_own()) {
+      write_report(w, report, size);
+    } else {
+      query_prepared(*world, w, [&](World<D>& prepared) { write_report(prepared, report, size); });
+    }
     return HS_OK;
   });
 }
@@ -237,7 +248,7 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
 
 hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block block_b,
                                    const double shear_force[3]) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const Vector<D> on_second = read_finite_vector<D>(shear_force, "shear_force");
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");

@@ -101,7 +101,7 @@ class Trials {
 hs_status hs_strength_def_init(hs_strength_def* def, size_t size) { return write_definition(def, size); }
 
 hs_status hs_world_set_strength_factor(hs_world* world, double factor) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     w.set_strength_factor(require_factor(factor, "factor"));
     return HS_OK;
   });

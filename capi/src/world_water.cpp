@@ -63,7 +63,7 @@ void require_table(const Array<Vector<3>>& corners, std::int32_t columns) {
 hs_status hs_water_def_init(hs_water_def* def, size_t size) { return write_definition(def, size); }
 
 hs_status hs_world_set_water(hs_world* world, const hs_water_def* given, hs_view table) {
-  return with_world(world, __func__, [&]<int D>(World<D>& w) {
+  return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     const hs_water_def def = read_definition(given, "def");
     require_from_zero(def.density, "def.density");
     require_from_zero(def.factor, "def.factor");

@@ -285,7 +285,9 @@ void Model::set_due_motions() {
   }
 }
 
+/// Frames have the contacts and forces that the report has.
 void Model::update_report() {
+  require(context_, hs_world_step(world_.get(), 0));
   require(context_, hs_world_get_report(world_.get(), &report_, sizeof report_));
   if (state_.usual_time_step > 0) report_.time_step = state_.usual_time_step;
 }

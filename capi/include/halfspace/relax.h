@@ -60,9 +60,10 @@ HS_API hs_status hs_relaxation_def_init(hs_relaxation_def *def, size_t size);
 HS_CHECKED hs_status hs_world_relax(hs_world *world, const hs_relaxation_def *def, hs_balance *balance,
                                     size_t size);
 
-/** @brief Returns the current balance of forces. It costs as much as a step.
+/** @brief Returns the current balance of forces. It costs as much as a step, and has no effect on the run.
  *  @param world not NULL @param balance receives it @param size sizeof(hs_balance) as the caller was compiled
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share, or within a step in pieces) or
+ *          HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_get_balance(hs_world *world, hs_balance *balance, size_t size);
 
 /** @brief Sets gravity. The change of potential energy counts as external work.

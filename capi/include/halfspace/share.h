@@ -17,6 +17,11 @@
  *  block or action is added to it or removed, and no block is placed: join the shares first. Between steps it
  *  can be saved by hs_world_save() with its copies and keys, and restored in another run.
  *
+ *  A call that changes the world ends a planned motion: hs_world_move() then returns HS_ERROR_STATE until
+ *  another is planned. From hs_world_begin() to hs_world_end_begin(), and from hs_world_move() to
+ *  hs_world_end_step(), calls that would change the world return HS_ERROR_STATE, and so do hs_world_save(),
+ *  hs_world_pack(), hs_world_assemble() and hs_world_get_balance(). Other queries are answered at any piece.
+ *
  *  Laws, gravity, damping and the time step may be changed between steps, alike in all shares; then all shares
  *  are assembled, and hs_world_begin() and hs_world_end_begin() follow. Applied forces may be changed alike in
  *  all shares that hold the block. So may velocities, but then all shares have to begin: those that do not hold

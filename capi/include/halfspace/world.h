@@ -4,6 +4,9 @@
  *  hs_world_step() integrates a world by velocity Verlet. A host with its own integrator instead sets poses
  *  and velocities, calls hs_world_detect() and hs_world_forces(), and moves its bodies itself; affine blocks
  *  do not strain then.
+ *
+ *  A call that fails, and a query, change nothing: later snapshots have the same bytes. Queries of a changed
+ *  world whose answers are forces or energies evaluate them in a copy.
  */
 #ifndef HALFSPACE_WORLD_H
 #define HALFSPACE_WORLD_H
@@ -288,7 +291,8 @@ HS_CHECKED hs_status hs_world_set_applied_forces(hs_world *world, hs_view forces
 
 /** @brief Stage: neighbour search and detection at the current poses.
  *  @param world not NULL @param touching receives the number of pairs in contact; may be NULL
- *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY */
+ *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share that was not assembled after a change of laws) or
+ *          HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
 /** @brief Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
@@ -305,7 +309,8 @@ HS_CHECKED hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable
  *  divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
  *  step.
  *  @param world not NULL
- *  @param steps number of steps, >= 0
+ *  @param steps number of steps, >= 0; 0: contacts and forces of a changed world are evaluated, if it has a time
+ *         step
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
  *         HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED */
 HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
