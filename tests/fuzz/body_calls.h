@@ -21,10 +21,10 @@ class WorldUnderCalls {
   /// Whether it has succeeded; else the world is bit for bit what it was.
   template <class Call>
   bool unless_refused(const char* name, Call call) {
-    const std::vector<unsigned char> before = saved(world());
+    const std::vector<unsigned char> before = saved_between_steps(world());
     if (succeeds_or(call(), {HS_ERROR_ARGUMENT, HS_ERROR_GEOMETRY, HS_ERROR_STALE_ID, HS_ERROR_STATE}, name))
       return true;
-    demand(saved(world()) == before, "a call that fails changes nothing");
+    demand(saved_between_steps(world()) == before, "a call that fails changes nothing");
     demand(*hs_context_last_error(context_) != 0, "a refusal has a text");
     return false;
   }
@@ -48,7 +48,6 @@ class BodyCalls : public WorldUnderCalls {
  protected:
   using WorldUnderCalls::WorldUnderCalls;
 
-  /// Bytes are left for more.
   void call_of_bodies(int which) {
     switch (which) {
       case 0:
@@ -96,9 +95,6 @@ class BodyCalls : public WorldUnderCalls {
     }
   }
 
- private:
-  static constexpr std::size_t most_bodies = 3;
-
   hs_body any_body() {
     if (bodies_.empty() || bytes_.byte() == 0) return bytes_.raw<std::uint8_t>();
     return bodies_[std::size_t(bytes_.below(int(bodies_.size())))];
@@ -106,6 +102,9 @@ class BodyCalls : public WorldUnderCalls {
 
   /// Mostly one of the body's.
   std::int32_t any_node() { return bytes_.below(16) - 1; }
+
+ private:
+  static constexpr std::size_t most_bodies = 3;
 
   /// A bar, whose nodes are moved a little.
   void add_mesh() {
@@ -263,7 +262,7 @@ class BodyCalls : public WorldUnderCalls {
     def.ratio = bytes_.positive_or(def.ratio);
     if (steps_ + 6 > max_steps) return;
     steps_ += 6;
-    const std::vector<unsigned char> before = saved(world());
+    const std::vector<unsigned char> before = saved_between_steps(world());
     hs_strength_report report;
     hs_world* fallen = nullptr;
     const hs_status status = hs_world_find_strength_factor(world(), &def, &report, sizeof report, &fallen);
@@ -273,7 +272,7 @@ class BodyCalls : public WorldUnderCalls {
             {HS_ERROR_ARGUMENT, HS_ERROR_STATE, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED},
             "find_strength_factor"))
       steps_ = max_steps;
-    demand(saved(world()) == before, "a search for strength changes nothing");
+    demand(saved_between_steps(world()) == before, "a search for strength changes nothing");
     if (fallen) check_motion(fallen);
   }
 };

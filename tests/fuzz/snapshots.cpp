@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "capi/snapshot_worlds.h"
+#include "capi/full_worlds.h"
 #include "fuzz/world_calls.h"
 
 namespace halfspace_fuzz {
@@ -14,16 +14,33 @@ namespace {
 using namespace halfspace_test;
 using Snapshot = std::vector<unsigned char>;
 
+constexpr int plain_kinds = 24, full_kinds = 8, share_kinds = 2;
+
 /// Two dimensions, all laws, all kinds of blocks; those of meshes with bonds.
-const Snapshot& snapshot_of_kind(int index) {
-  static std::array<Snapshot, 24> snapshots;
-  Snapshot& snapshot = snapshots[std::size_t(index)];
+Snapshot plain_snapshot(int index) {
   constexpr std::int32_t blocks[] = {HS_BLOCK_RIGID, HS_BLOCK_AFFINE, HS_BLOCK_MESH};
-  if (snapshot.empty()) {
-    const Context context = make_context();
-    snapshot = snapshot_of(context.get(), {2 + index / 12, all_laws[index / 3 % 4], blocks[index % 3]});
-  }
+  const Context context = make_context();
+  return snapshot_of(context.get(), {2 + index / 12, all_laws[index / 3 % 4], blocks[index % 3]});
+}
+
+Snapshot made_snapshot(int index) {
+  if (index < plain_kinds) return plain_snapshot(index);
+  const int full = index - plain_kinds;
+  return full < full_kinds ? snapshot_of_full_world(2 + full / 4, all_laws[full % 4])
+                           : snapshot_of_share(2 + full - full_kinds);
+}
+
+const Snapshot& snapshot_of_kind(int index) {
+  static std::array<Snapshot, plain_kinds + full_kinds + share_kinds> snapshots;
+  Snapshot& snapshot = snapshots[std::size_t(index)];
+  if (snapshot.empty()) snapshot = made_snapshot(index);
   return snapshot;
+}
+
+/// Half of the bytes choose worlds of everything, and shares.
+int read_kind(Bytes& bytes) {
+  const int byte = bytes.byte();
+  return byte < 128 ? byte % plain_kinds : plain_kinds + byte % (full_kinds + share_kinds);
 }
 
 void change(Snapshot& snapshot, Bytes& bytes) {
@@ -73,8 +90,23 @@ void end_bodies(hs_world* world) {
   step(world, 1);
 }
 
+/// As far as it goes: shares are packed and moved, other worlds refuse.
+void step_in_pieces(hs_world* world) {
+  std::vector<std::int64_t> keys(blocks_of(world).size());
+  demand(hs_world_get_keys(world, keys.data(), std::int64_t(keys.size()), nullptr) == HS_OK, "keys are told");
+  std::size_t needed = 0;
+  for (const std::int64_t key : keys) (void)hs_world_pack(world, &key, 1, 1, nullptr, 0, nullptr, &needed);
+  hs_share_plan plan;
+  (void)hs_world_begin(world);
+  (void)hs_world_end_begin(world);
+  (void)hs_world_plan_motion(world, &plan);
+  (void)hs_world_renew_list(world, &plan);
+  (void)hs_world_move(world);
+  (void)hs_world_end_step(world);
+}
+
 void run(Bytes bytes) {
-  Snapshot snapshot = snapshot_of_kind(bytes.below(24));
+  Snapshot snapshot = snapshot_of_kind(read_kind(bytes));
   while (!bytes.empty() && snapshot.size() > snapshot_header + 8) change(snapshot, bytes);
   mend_header(snapshot);
   const Context context = make_context();
@@ -83,6 +115,7 @@ void run(Bytes bytes) {
   if (!succeeds_or(status, {HS_ERROR_FORMAT}, "restore")) return;
   const World world(made);
   check_motion(made);
+  step_in_pieces(made);
   step(made, 3);
   hs_world_report report;
   succeeds_or(hs_world_get_report(made, &report, sizeof report), {}, "get_report");

@@ -11,6 +11,13 @@ namespace halfspace_fuzz {
 
 using halfspace_test::saved;
 
+/// The bytes of its snapshot; none within a step in pieces.
+inline std::vector<unsigned char> saved_between_steps(const hs_world* world) {
+  std::size_t size = 0;
+  return hs_world_save(world, nullptr, 0, &size) == HS_ERROR_STATE ? std::vector<unsigned char>()
+                                                                   : saved(world);
+}
+
 template <std::size_t N>
 bool all_finite(const double (&numbers)[N]) {
   for (const double x : numbers)
@@ -85,7 +92,8 @@ inline bool relax(hs_world* world, const hs_relaxation_def& def) {
 
 inline void check_balance(hs_world* world) {
   hs_balance balance{};
-  if (!succeeds_or(hs_world_get_balance(world, &balance, sizeof balance), {}, "get_balance")) return;
+  if (!succeeds_or(hs_world_get_balance(world, &balance, sizeof balance), {HS_ERROR_STATE}, "get_balance"))
+    return;
   demand(!(balance.mean < 0) && !(balance.largest < 0), "a balance is a share");
 }
 
@@ -110,6 +118,21 @@ inline void check_report(hs_world* world) {
                             r.block_strain_energy,
                             r.block_damping_loss};
   demand(all_finite(numbers), "a report is of numbers");
+}
+
+/// All that reads a world leaves it as it is.
+inline void check_queries(hs_world* world) {
+  const std::vector<unsigned char> before = saved_between_steps(world);
+  check_report(world);
+  check_balance(world);
+  hs_share_info info;
+  demand(hs_world_get_share_info(world, &info, sizeof info) == HS_OK, "a world is described as a share");
+  hs_world_plan plan;
+  demand(hs_world_get_plan(world, 0, &plan, sizeof plan) == HS_OK, "steps are planned");
+  double sums[HS_SUM_COUNT];
+  demand(hs_world_get_sums(world, sums) == HS_OK, "sums are told");
+  demand(hs_world_get_contacts(world, nullptr, 0, nullptr) >= HS_OK, "contacts are counted");
+  demand(saved_between_steps(world) == before, "queries change nothing");
 }
 
 }  // namespace halfspace_fuzz

@@ -1,7 +1,9 @@
-// Sequences of world calls: one that fails changes nothing, a restored world goes on bit for bit, and nothing
-// that moves is ever no number.
+// Sequences of world calls: one that fails changes nothing, nothing that moves is ever no number, and every
+// history restores to the bit. For that each sequence is run twice, the second time on a world that is
+// queried and restored from its own snapshot between the calls.
 
-#include "fuzz/body_calls.h"
+#include "capi/snapshot_worlds.h"
+#include "fuzz/load_calls.h"
 
 namespace halfspace_fuzz {
 namespace {
@@ -9,6 +11,7 @@ namespace {
 constexpr int most_blocks = 8;
 /// Bytes below choose among the calls of blocks, 17 of them one after the other.
 constexpr int first_call_of_bodies = 221;
+constexpr int first_call_of_loads = 246;
 
 hs_world_def read_world_def(Bytes& bytes, int dimension) {
   hs_world_def def = world_def(dimension);
@@ -42,9 +45,12 @@ hs_law_def read_law(Bytes& bytes) {
   return law;
 }
 
-class Calls : BodyCalls {
+/// The snapshot after each call, as its checksum; 0 within a step in pieces.
+using History = std::vector<std::uint64_t>;
+
+class Calls : LoadCalls {
  public:
-  Calls(Bytes bytes, hs_context* context) : BodyCalls(bytes, context) {
+  Calls(Bytes bytes, hs_context* context) : LoadCalls(bytes, context) {
     dimension_ = bytes_.between(2, 3);
     const hs_world_def def = read_world_def(bytes_, dimension_);
     hs_world* world = nullptr;
@@ -55,21 +61,46 @@ class Calls : BodyCalls {
     for (int blocks = bytes_.between(1, 3); blocks > 0; --blocks) add_block();
   }
 
-  void run() {
+  History run() {
+    History history;
     while (world_ && !bytes_.empty()) {
-      const int byte = bytes_.byte();
-      if (byte < first_call_of_bodies) {
-        call(byte % 17);
-      } else {
-        call_of_bodies(byte - first_call_of_bodies);
-      }
+      call_by(bytes_.byte());
       check_motion(world());
       check_forces(world());
       check_bodies(world(), bodies_);
+      history.push_back(checksum());
+    }
+    return history;
+  }
+
+  /// The same calls, with queries and restored worlds between them.
+  void run_again(const History& history) {
+    for (const std::uint64_t expected : history) {
+      check_queries(world());
+      call_by(bytes_.byte());
+      demand(checksum() == expected, "queries and restored worlds change no history");
+      if (expected != 0 && !may_be_planned_) world_ = restored(context_, saved(world()));
     }
   }
 
  private:
+  std::uint64_t checksum() const {
+    const std::vector<unsigned char> bytes = saved_between_steps(world());
+    return bytes.empty() ? 0 : at<std::uint64_t>(bytes, 24);
+  }
+
+  void call_by(int byte) {
+    if (byte < first_call_of_bodies) {
+      call(byte % 17);
+    } else if (byte < first_call_of_loads) {
+      call_of_bodies(byte - first_call_of_bodies);
+    } else {
+      call_of_loads(byte - first_call_of_loads);
+    }
+  }
+
+  void call_between_pieces(int byte) override { call(byte % 17); }
+
   void call(int which) {
     switch (which) {
       case 0:
@@ -227,12 +258,14 @@ class Calls : BodyCalls {
   void step_some() {
     const int steps = std::min(bytes_.below(12), max_steps - steps_);
     steps_ += steps;
+    may_be_planned_ = false;
     if (!step(world(), steps)) steps_ = max_steps;  // one that is divided very often would be so again
   }
 
   /// A world and what is restored of its bytes do the same from there, whether or not one of them is asked
   /// for a report.
   void go_on_from_snapshot() {
+    if (saved_between_steps(world()).empty()) return;
     const World twin = restored(context_, saved(world()));
     demand(saved(twin.get()) == saved(world()), "a restored world is the one that was saved");
     if (bytes_.flag()) check_report(twin.get());
@@ -251,6 +284,7 @@ class Calls : BodyCalls {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const halfspace_test::Context context = halfspace_test::make_context();
-  halfspace_fuzz::Calls({data, size}, context.get()).run();
+  const halfspace_fuzz::History history = halfspace_fuzz::Calls({data, size}, context.get()).run();
+  halfspace_fuzz::Calls({data, size}, context.get()).run_again(history);
   return 0;
 }
