@@ -27,7 +27,8 @@ bool is_done_at(const std::string& name, Piece piece) {
     return piece == Piece::planned || piece == Piece::listed;
   if (name == "hs_world_end_step") return piece == Piece::moved;
   if (is_one_of(name, {"hs_world_get_loads", "hs_world_set_loads"})) return is_within(piece);
-  if (name == "hs_world_forces" && piece == Piece::listed) return false;  // a new list needs detection
+  const bool needs_contacts = is_one_of(name, {"hs_world_forces", "hs_world_set_shear_force"});
+  if (needs_contacts && piece == Piece::listed) return false;  // a new list needs detection
   return !is_within(piece);
 }
 
