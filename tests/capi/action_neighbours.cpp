@@ -103,7 +103,7 @@ TEST_CASE("nodes that have lost their cells bear no load") {
   CHECK(state_of_body(s.world.get(), s.body).momentum[0] == Approx(force_x * 0.01).epsilon(1e-10));
 }
 
-TEST_CASE("loads add up, and a motion replaces the one before of the same kind of axes") {
+TEST_CASE("loads add up, and motions of axes and of rotations are apart") {
   ActionWorld s(2);
   for (const double factor : {1.0, 2.0}) s.act(s.rigid, along_x(HS_ACTION_FORCE, factor));
   s.act(s.prescribed, action_def(HS_ACTION_VELOCITY));
@@ -112,8 +112,60 @@ TEST_CASE("loads add up, and a motion replaces the one before of the same kind o
   s.step(10);
   CHECK(s.velocity_of(s.rigid) == Approx(3 * force_x / mass * 0.01).epsilon(1e-12));
   CHECK(s.velocity_of(s.prescribed) == Approx(2 * force_x * 0.01).epsilon(1e-12));
-  CHECK(s.velocity_of(s.prescribed, 1) == 0);
+  CHECK(s.velocity_of(s.prescribed, 1) == -2);  // by the first motion, along the other axis
   CHECK(state_of(s.world.get(), s.prescribed).angular_velocity[2] == 1);
+}
+
+TEST_CASE("motions along different axes act together, and a motion ends those along its own") {
+  ActionWorld s(2);
+  const auto along = [](std::int32_t kind, double x, double y) {
+    hs_action_def def = action_def(kind);
+    def.scale[0] = x;
+    def.scale[1] = y;
+    def.max_speed = 2;
+    return def;
+  };
+  const auto velocity = [&](int axis) { return s.velocity_of(s.prescribed, axis); };
+  s.act(s.prescribed, along(HS_ACTION_VELOCITY, 1, 0));
+  s.act(s.prescribed, along(HS_ACTION_SERVO, 0, 1));
+  s.step();
+  CHECK(velocity(0) == force_x);
+  CHECK(velocity(1) == -2);  // the max speed, without contacts, towards the force of the table
+  SECTION("the order does not count") {
+    ActionWorld other(2);
+    other.act(other.prescribed, along(HS_ACTION_SERVO, 0, 1));
+    other.act(other.prescribed, along(HS_ACTION_VELOCITY, 1, 0));
+    other.step();
+    for (const int axis : {0, 1}) CHECK(other.velocity_of(other.prescribed, axis) == velocity(axis));
+  }
+  SECTION("one along x leaves the servo along y") {
+    s.act(s.prescribed, along(HS_ACTION_VELOCITY, 3, 0));
+    s.step();
+    CHECK(velocity(0) == 3 * force_x);
+    CHECK(velocity(1) == -2);
+  }
+  SECTION("one along both axes ends both") {
+    s.act(s.prescribed, along(HS_ACTION_VELOCITY, 2, 2));
+    s.step();
+    CHECK(velocity(0) == 2 * force_x);
+    CHECK(velocity(1) == -4);
+  }
+  SECTION("an oblique servo ends as a whole") {
+    s.act(s.prescribed, along(HS_ACTION_SERVO, 1, 1));
+    s.step();
+    CHECK(velocity(0) + velocity(1) == Approx(2 * std::sqrt(2.0)));
+    s.act(s.prescribed, along(HS_ACTION_VELOCITY, 1, 0));
+    const double before = velocity(1);
+    s.step();
+    CHECK(velocity(0) == force_x);
+    CHECK(velocity(1) == before);
+  }
+  SECTION("two servos keep velocities of their own") {
+    s.act(s.prescribed, along(HS_ACTION_SERVO, 1, 0));
+    s.step(3);
+    CHECK(velocity(0) == 2);
+    CHECK(velocity(1) == -2);
+  }
 }
 
 TEST_CASE("the acceleration of all blocks and the actions on blocks end by themselves") {

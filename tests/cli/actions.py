@@ -78,7 +78,90 @@ history_interval = 1e-4
 """
 
 
+SHEAR_BOX = """dimension = 2
+world = { duration = 1, gravity = [0, 0] }
+default_law = { stiffness = "per area", normal_stiffness = 1e8, friction_angle = 30 }
+material = [{ name = "soil", density = 2000 }]
+block = [
+  { name = "lower", kind = "fixed", material = "soil", vertices = [[-1, -0.2], [1, -0.2], [1, 0], [-1, 0]] },
+  { name = "upper", hold = "xyr", material = "soil", vertices = [[-0.2, 0], [0.2, 0], [0.2, 0.2], [-0.2, 0.2]] },
+]
+[output]
+tracked = ["upper"]
+"""
+JOINT = 'joints = [{ name = "shear", blocks = ["lower", "upper"] }]\n'
+SERVO = """
+[[action]]
+on = "upper"
+kind = "servo"
+table = [[0, 1000]]
+direction = [0, -1]
+max_speed = 0.05
+"""
+SHEAR = """
+[[action]]
+on = "upper"
+kind = "velocity"
+table = [[0, 0.05]]
+direction = [1, 0]
+"""
+
+
 class Actions(SceneTest):
+    def test_a_servo_presses_while_the_block_is_sheared(self):
+        """Motions along different axes act together, whichever comes first."""
+        for actions in SERVO + SHEAR, SHEAR + SERVO:
+            answer = self.run_scene(SHEAR_BOX + JOINT + actions)
+            self.assertNotIn("note", answer.stderr)
+            last = self.rows()[-1]
+            self.assertAlmostEqual(float(last["upper.x"]), 0.05 * float(last["time"]), delta=1e-12)
+            self.assertAlmostEqual(float(last["shear.normal_force"]), 1000, delta=1)
+            self.assertAlmostEqual(abs(float(last["shear.shear_force"])), 577.4, delta=1)
+
+    def test_two_motions_along_one_axis_are_a_fault_that_names_both(self):
+        names_both = r'action\[1\]\.on: "upper" has a motion along y by action\[0\] of the same stage; allowed'
+        self.check_fault(SHEAR_BOX + SERVO + SHEAR.replace("[1, 0]", "[1, 1]"), names_both)
+        self.check_fault(SHEAR_BOX + SERVO + SERVO.replace("1000", "500"), names_both)
+        self.check_fault(SHEAR_BOX + SERVO + SHEAR.replace("direction = [1, 0]", "").replace("0.05]", "0.05, 0]"),
+                         names_both)
+        everywhere = '[[action]]\nkind = "acceleration"\ndirection = [1, 0]\ntable = [[0, 1]]\n'
+        self.check_fault(SHEAR_BOX + everywhere + everywhere,
+                         r"action\[1\]\.on: all blocks have a motion along x by action\[0\]")
+        turn = '[[action]]\non = "upper"\nkind = "angular_velocity"\ntable = [[0, 1]]\n'
+        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"')
+        self.check_fault(prescribed + turn + turn, r'"upper" has a rotation about z by action\[0\]')
+        self.scene.write_text(prescribed + turn + SHEAR)
+        self.assertEqual(halfspace("check", self.scene).returncode, 0)
+
+    def test_a_later_stage_replaces_motions_along_its_axes_only(self):
+        stages = "".join(f'[[stage]]\nname = "{name}"\ndo = "run"\nduration = 0.2\n' for name in ("press", "shear", "back"))
+        later = SHEAR + 'stage = "shear"\n' + SHEAR.replace("0.05]", "-0.05]") + 'stage = "back"\n'
+        self.run_scene(SHEAR_BOX.replace("duration = 1, ", "") + JOINT + stages + SERVO + later)
+        last = self.rows()[-1]
+        self.assertAlmostEqual(float(last["upper.x"]), 0, delta=1e-4)
+        self.assertAlmostEqual(float(last["shear.normal_force"]), 1000, delta=1)
+
+    def test_a_servo_that_meets_no_force_is_noted(self):
+        def notes(text):
+            self.scene.write_text(text)
+            answer = halfspace("check", self.scene)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            return [line for line in answer.stdout.splitlines() if "the servo of" in line]
+
+        self.assertEqual(notes(SHEAR_BOX + SERVO), [])
+        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"')
+        note, = notes(prescribed + SERVO)
+        self.assertRegex(note, r'action\[0\]\.on: the servo of "upper" meets no force: neither it nor "lower" ahead')
+        self.assertEqual(notes(prescribed.replace('kind = "fixed"', 'kind = "rigid"') + SERVO), [])
+        self.assertEqual(notes(prescribed + SERVO.replace("[0, -1]", "[0, 1]")), [])  # nothing is ahead
+        no_spring = ('[[material]]\nname = "steel"\ndensity = 7800\n[[law]]\nbetween = ["soil", "steel"]\n'
+                     'stiffness = "none"\nfriction_angle = 30\n')
+        tables = SHEAR_BOX.replace('material = [{ name = "soil", density = 2000 }]\n', "").replace(
+            'hold = "xyr", material = "soil"', 'hold = "xyr", material = "steel"')
+        soil = '[[material]]\nname = "soil"\ndensity = 2000\n'
+        note, = notes(tables + soil + no_spring + SERVO)
+        self.assertIn('the law towards "lower" ahead has no springs', note)
+
     def run_with_table(self, *arguments, **options):
         (self.directory / "table.csv").write_text("time; value\n# a comment\n0; 0\n1.5; 3\n")
         return self.run_scene(SCENE + ACTION, *arguments, **options)

@@ -27,7 +27,10 @@ namespace {
 class LayoutBuilder {
  public:
   LayoutBuilder(const Context& context, const Scene& scene, Faults& faults)
-      : context_(context), faults_(faults), shapes_(context, scene.world.dimension, faults) {
+      : context_(context),
+        faults_(faults),
+        shapes_(context, scene.world.dimension, faults),
+        given_axes_(scene.world.dimension) {
     layout_.dimension = scene.world.dimension;
     has_all_names_ = scene.has_all_names;
     for_each_making(scene,
@@ -135,7 +138,10 @@ class LayoutBuilder {
   /// Adds the blocks of an action, which must be able to follow it.
   void act(const Action& action) {
     std::vector<std::size_t>& blocks = layout_.acted_on.emplace_back();
-    if (action.on.empty()) return;
+    if (action.on.empty()) {
+      give_axes({}, action);
+      return;
+    }
     const auto made = members_.find(action.on);
     if (made != members_.end()) {
       blocks = made->second;
@@ -148,6 +154,9 @@ class LayoutBuilder {
       faults_.add(action.place, action.key,
                   "\"" + layout_.blocks[block].name + "\" cannot follow it; allowed: " + followers(action));
       return;
+    }
+    for (const std::size_t block : blocks) {
+      if (!give_axes(block, action)) return;
     }
   }
 
@@ -392,7 +401,19 @@ class LayoutBuilder {
   const Context& context_;
   Faults& faults_;
   CheckedShapes shapes_;
+  /// Reports a motion that is lost, because another action moves the block along the same axis. False if so.
+  bool give_axes(std::optional<std::size_t> block, const Action& action) {
+    if (block && layout_.blocks[*block].compound)
+      block = layout_.compounds[*layout_.blocks[*block].compound].first_block;
+    const auto fault = given_axes_.add(block, layout_.acted_on.size() - 1, action);
+    if (!fault) return true;
+    const std::string whose = block ? '"' + layout_.blocks[*block].name + "\" has " : "all blocks have ";
+    faults_.add(action.place, action.key, whose + *fault);
+    return false;
+  }
+
   Layout layout_;
+  GivenAxes given_axes_;
   bool is_excavated_;  ///< some of it in a stage
   std::map<std::string, std::size_t> index_of_;
   std::map<std::string, std::vector<std::size_t>> members_;  ///< blocks of generators, cells of meshes

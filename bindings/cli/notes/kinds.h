@@ -28,6 +28,8 @@ void note_sizes(const Start& start, Faults& faults);
 void note_unused(const Start& start, Faults& faults);
 /// Generators without blocks, water and pictures away from all blocks, cells larger than their block.
 void note_without_effect(const Start& start, Faults& faults);
+/// Servos whose block can press on none of the blocks ahead.
+void note_servos(const Start& start, Faults& faults);
 /// Keys of the impulses between rigid blocks where these have no such impulses.
 void note_impulses(const Start& start, Faults& faults);
 

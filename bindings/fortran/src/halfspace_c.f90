@@ -120,7 +120,8 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_AXIS_Z = 4  !< z, 3D only
   integer(c_int32_t), parameter :: HS_AXIS_ROTATION = 8  !< rotation about any axis, of blocks only
 
-  !> What an action gives. Loads of one block add up; a motion replaces the one before.
+  !> What an action gives. Loads of one block add up. Motions along different axes act together; a motion ends
+  !! the earlier ones along its axes, and a servo that has one of them as a whole.
   !> m/s, of a prescribed block, or along held axes of a rigid block or of nodes
   integer(c_int32_t), parameter :: HS_ACTION_VELOCITY = 0
   integer(c_int32_t), parameter :: HS_ACTION_ANGULAR_VELOCITY = 1  !< rad/s, of a prescribed block; 2D uses z

@@ -268,7 +268,7 @@ module halfspace_worlds
     end subroutine set_node_viscosity
 
     !> Adds an action on a block, or without `block` on all blocks that move freely. Loads of one block add up; a motion
-    !! replaces the one before.
+    !! ends the earlier ones along its axes.
     module subroutine add_action(self, kind, table, block, scale, at, place, start, max_speed, stat, errmsg)
       class(halfspace_world), intent(inout) :: self
       !> an HS_ACTION_ value: a motion of a prescribed block or along held axes, a load on a rigid or affine block, or

@@ -145,7 +145,8 @@ HS_AXIS_Y = 2  # y
 HS_AXIS_Z = 4  # z, 3D only
 HS_AXIS_ROTATION = 8  # rotation about any axis, of blocks only
 
-# What an action gives. Loads of one block add up; a motion replaces the one before.
+# What an action gives. Loads of one block add up. Motions along different axes act together; a motion ends
+# the earlier ones along its axes, and a servo that has one of them as a whole.
 HS_ACTION_VELOCITY = 0  # m/s, of a prescribed block, or along held axes of a rigid block or of nodes
 HS_ACTION_ANGULAR_VELOCITY = 1  # rad/s, of a prescribed block; 2D uses z
 # m/s2, likewise as HS_ACTION_VELOCITY; of all blocks: a body force, besides gravity

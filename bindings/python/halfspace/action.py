@@ -59,7 +59,7 @@ class ActedOn(Statics):
         start: float = 0.0,
         max_speed: float = 0.0,
     ) -> None:
-        """Gives the values of a table to a block. Loads add up; a motion replaces the one before.
+        """Gives the values of a table to a block. Loads add up; a motion ends the earlier ones along its axes.
 
         Parameters
         ----------

@@ -116,7 +116,8 @@ class CellKind(IntEnum):
 
 
 class ActionKind(IntEnum):
-    """What an action gives. Loads of one block add up; a motion replaces the one before."""
+    """What an action gives. Loads of one block add up. Motions along different axes act together; a motion
+    ends the earlier ones along its axes, and a servo that has one of them as a whole."""
 
     # m/s, of a prescribed block, or along held axes of a rigid block or of nodes
     VELOCITY = _raw.HS_ACTION_VELOCITY

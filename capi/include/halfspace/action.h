@@ -18,7 +18,8 @@
 extern "C" {
 #endif
 
-/** What an action gives. Loads of one block add up; a motion replaces the one before. */
+/** What an action gives. Loads of one block add up. Motions along different axes act together; a motion ends
+ *  the earlier ones along its axes, and a servo that has one of them as a whole. */
 enum {
   HS_ACTION_VELOCITY = 0,         /**< m/s, of a prescribed block, or along held axes of a rigid block or of
                                        nodes */

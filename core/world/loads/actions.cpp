@@ -28,9 +28,12 @@ Angular<D> angular_in(const Vector<3>& components) {
 template <class Velocity>
 void give(GivenVelocity<Velocity>& given, const Velocity& scale, const Velocity& start, const Velocity& mean,
           const Velocity& end) {
-  given = {0, start, mean, end};
+  given.start = start;
   for (Eigen::Index k = 0; k < scale.size(); ++k) {
-    if (scale[k] != 0) given.components |= std::uint8_t(1 << k);
+    if (scale[k] == 0) continue;
+    given.components |= std::uint8_t(1 << k);
+    given.mean[k] = mean[k];
+    given.end[k] = end[k];
   }
 }
 
@@ -62,6 +65,28 @@ bool is_same_motion(ActionKind a, ActionKind b) {
   return !is_load(a) && !is_load(b) && is_angular(a) == is_angular(b);
 }
 
+/// Does a motion give a velocity along an axis?
+template <int D>
+bool moves_along(const Action<D>& motion, int axis) {
+  const bool is_read = is_angular(motion.kind) ? D == 3 || axis == 2 : axis < D;
+  return is_read && motion.scale[axis] != 0;
+}
+
+template <int D>
+bool moves(const Action<D>& motion) {
+  return moves_along(motion, 0) || moves_along(motion, 1) || moves_along(motion, 2);
+}
+
+/// Takes the axes of a new motion from an older one.
+template <int D>
+void take_axes(const Action<D>& motion, Action<D>& older) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!moves_along(motion, axis) || !moves_along(older, axis)) continue;
+    older.scale[axis] = 0;
+    if (older.kind == ActionKind::servo) older.scale.setZero();  // its force has a direction
+  }
+}
+
 }  // namespace
 
 void Servo::adapt(double contact_stiffness, double contact_viscosity, double duration, double time_step) {
@@ -72,16 +97,11 @@ void Servo::adapt(double contact_stiffness, double contact_viscosity, double dur
 template <int D>
 void Actions<D>::add(const Action<D>& action) {
   make_room_for_one(actions_);
-  const auto is_replaced = [&](const Action<D>& known) {
-    return known.slot == action.slot && is_same_motion(known.kind, action.kind);
-  };
-  const auto replaced =
-      is_load(action.kind) ? actions_.end() : std::find_if(actions_.begin(), actions_.end(), is_replaced);
-  if (replaced != actions_.end()) {
-    *replaced = action;
-  } else {
-    actions_.push_back(action);
+  for (Action<D>& older : actions_) {
+    if (older.slot == action.slot && is_same_motion(older.kind, action.kind)) take_axes(action, older);
   }
+  std::erase_if(actions_, [](const Action<D>& known) { return !is_load(known.kind) && !moves(known); });
+  actions_.push_back(action);
   is_renewed_ = false;
 }
 
@@ -135,6 +155,7 @@ void Actions<D>::renew(const Blocks<D>& blocks) {
       loaded_nodes = std::max(loaded_nodes, nodes_up_to(action.body, blocks.meshes()));
   }
   means_.reserve(actions_.size());
+  drifts_.reserve(actions_.size());
   targets_.reserve(actions_.size());
   target_of_.reserve(slots);
   node_velocities_.reserve(nodes_.size());
@@ -163,7 +184,9 @@ template <int D>
 void Actions<D>::predict(const Motion& motion, const Blocks<D>& blocks) {
   motion_ = motion;
   means_.clear();
+  drifts_.assign(actions_.size(), 0);
   acceleration_.setZero();
+  for (Target& target : targets_) target.velocity.components = target.spin.components = 0;
   for (const Action<D>& action : actions_) {
     const TableIntegrals integrals = integrals_of(action);
     means_.push_back(action.scale.cwiseProduct(integrals.once) / motion_.duration);
@@ -171,8 +194,10 @@ void Actions<D>::predict(const Motion& motion, const Blocks<D>& blocks) {
       acceleration_ += in<D>(means_.back());
     } else if (!is_load(action.kind)) {
       Target& target = target_at(action.slot);
-      action.kind == ActionKind::servo ? control_force(action, means_.back(), blocks, target)
-                                       : give_velocity(action, integrals, blocks, target);
+      if (action.kind == ActionKind::servo)
+        drifts_[means_.size() - 1] = control_force(action, means_.back(), blocks, target);
+      else
+        give_velocity(action, integrals, blocks, target);
       const std::size_t slot = std::size_t(action.slot);
       if (blocks.kind[slot] == BlockKind::rigid) target.velocity.components &= blocks.held[slot];
     }
@@ -209,18 +234,17 @@ void Actions<D>::give_velocity(const Action<D>& action, const TableIntegrals& in
 /// The block moves towards its contacts while their force on it is too small. At its max speed, and without
 /// contacts, the mass keeps its velocity.
 template <int D>
-void Actions<D>::control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
-                               Target& target) const {
+double Actions<D>::control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
+                                 Target& target) const {
   const std::size_t slot = std::size_t(action.slot);
   const Vector<D> direction = in<D>(action.scale).normalized();
   const double missing = in<D>(mean).dot(direction) + blocks.force[slot].dot(direction);
   const double closing = action.drift + missing / target.servo.viscosity;
   const double speed = std::clamp(closing, -action.max_speed, action.max_speed);
-  target.servo.drift = action.drift;
-  if (speed == closing) target.servo.drift += missing / target.servo.mass * motion_.duration;
   const Vector<D> other = blocks.velocity[slot] - blocks.velocity[slot].dot(direction) * direction;
   const Vector<D> velocity = other + (std::isfinite(speed) ? speed : 0.0) * direction;
   give(target.velocity, direction, blocks.velocity[slot], velocity, velocity);
+  return speed == closing ? action.drift + missing / target.servo.mass * motion_.duration : action.drift;
 }
 
 template <int D>
@@ -244,9 +268,7 @@ void Actions<D>::act_on_nodes(const NodeAction& action, std::size_t first, const
 template <int D>
 void Actions<D>::accept_motion() {
   made_ = motion_;
-  for (Action<D>& action : actions_) {
-    if (action.kind == ActionKind::servo) action.drift = target_at(action.slot).servo.drift;
-  }
+  for (std::size_t i = 0; i < actions_.size(); ++i) actions_[i].drift = drifts_[i];
 }
 
 template <int D>

@@ -84,7 +84,6 @@ struct GivenVelocity {
 struct Servo {
   double viscosity = 0;  // of the dashpot, N s/m
   double mass = 0;       // kg
-  double drift = 0;      // velocity of the mass at the end of the motion, m/s
 
   /// From the sums over its contacts.
   void adapt(double contact_stiffness, double contact_viscosity, double duration, double time_step);
@@ -103,6 +102,7 @@ class Actions {
         scales_(memory),
         of_keys_(memory),
         means_(memory),
+        drifts_(memory),
         targets_(memory),
         target_of_(memory),
         node_velocities_(memory),
@@ -119,8 +119,8 @@ class Actions {
     return tables_.add(times, values);
   }
 
-  /// Adds a load, or replaces the given motion of a block, from the next renew() on. If memory runs out,
-  /// nothing has changed.
+  /// Adds a load or a motion, from the next renew() on. A motion ends those of the block before it along its
+  /// own axes, and a servo that has any of these as a whole. If memory runs out, nothing has changed.
   void add(const Action<D>& action);
   void add(NodeAction action, std::span<const std::int32_t> nodes, std::span<const Vector<D>> scales);
   /// Ends the actions on a block, or the acceleration of all blocks if the slot is -1.
@@ -230,8 +230,9 @@ class Actions {
   }
   void give_velocity(const Action<D>& action, const TableIntegrals& integrals, const Blocks<D>& blocks,
                      Target& target) const;
-  void control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
-                     Target& target) const;
+  /// Returns the velocity of the servo's mass at the end of the motion, m/s.
+  double control_force(const Action<D>& action, const Vector<3>& mean, const Blocks<D>& blocks,
+                       Target& target) const;
   void act_on_nodes(const NodeAction& action, std::size_t first, const TableIntegrals& integrals,
                     const Meshes<D>& meshes);
   Target& target_at(std::int32_t slot) { return targets_[std::size_t(target_of_[std::size_t(slot)])]; }
@@ -248,6 +249,7 @@ class Actions {
   Array<ActionOfKey<D>> of_keys_;  // in a share, the actions of the whole world
   // Derived from the above and from the last predicted motion.
   Array<Vector<3>> means_;  // of each action on blocks
+  Array<double> drifts_;    // likewise, at the end of the motion
   Array<Target> targets_;
   Array<std::int32_t> target_of_;  // per slot up to the last target's, or -1
   Array<GivenVelocity<Vector<D>>> node_velocities_;

@@ -187,7 +187,8 @@ pub const HS_AXIS_Z: i32 = 4;
 /// rotation about any axis, of blocks only
 pub const HS_AXIS_ROTATION: i32 = 8;
 
-// What an action gives. Loads of one block add up; a motion replaces the one before.
+// What an action gives. Loads of one block add up. Motions along different axes act together; a motion ends
+// the earlier ones along its axes, and a servo that has one of them as a whole.
 /// m/s, of a prescribed block, or along held axes of a rigid block or of nodes
 pub const HS_ACTION_VELOCITY: i32 = 0;
 /// rad/s, of a prescribed block; 2D uses z

@@ -30,8 +30,8 @@ impl Table {
     }
 }
 
-/// A motion or load that follows a table. Loads of one block add up; a motion replaces the one
-/// before.
+/// A motion or load that follows a table. Loads of one block add up; a motion ends the
+/// earlier ones along its axes.
 ///
 /// Within a step a load is constant, the mean of its table, and a prescribed block moves by the
 /// integral of its velocity. So impulses and displacements are exact for any time step.
