@@ -7,7 +7,9 @@ using namespace halfspace::capi;
 namespace {
 
 template <int D>
-hs_block_state state_of(const Blocks<D>& blocks, std::size_t slot) {
+hs_block_state state_of(const World<D>& world, std::size_t slot) {
+  const Blocks<D>& blocks = world.blocks();
+  const auto hard = world.hard_contacts().load_on(slot);
   hs_block_state state{};
   state.kind = std::int32_t(blocks.kind[slot]);
   state.material = blocks.material[slot];
@@ -15,8 +17,8 @@ hs_block_state state_of(const Blocks<D>& blocks, std::size_t slot) {
   if constexpr (D == 2) state.angle = blocks.angle[slot];
   write_vector(blocks.velocity[slot], state.velocity);
   write_angular(blocks.spin[slot], state.angular_velocity);
-  write_vector(blocks.force[slot], state.force);
-  write_angular(blocks.torque[slot], state.torque);
+  write_vector(Vector<D>(blocks.force[slot] + hard.force), state.force);
+  write_angular(Angular<D>(blocks.torque[slot] + hard.torque), state.torque);
   state.mass = blocks.is_part(slot) ? 0 : blocks.mass[slot];
   return state;
 }
@@ -56,7 +58,7 @@ hs_status hs_world_get_blocks(const hs_world* world, hs_block blocks[], int64_t 
 hs_status hs_world_get_block_state(const hs_world* world, hs_block block, hs_block_state* state) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(state, "state");
-    *state = state_of(w.blocks(), std::size_t(slot_of(w.blocks(), block, "block")));
+    *state = state_of(w, std::size_t(slot_of(w.blocks(), block, "block")));
     return HS_OK;
   });
 }
@@ -67,7 +69,7 @@ hs_status hs_world_get_block_states(const hs_world* world, hs_block_state states
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(states, "states");
     return write_blocks(w.blocks(), capacity, count,
-                        [&](std::int64_t i, std::size_t s) { states[i] = state_of(w.blocks(), s); });
+                        [&](std::int64_t i, std::size_t s) { states[i] = state_of(w, s); });
   });
 }
 

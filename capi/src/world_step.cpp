@@ -114,8 +114,7 @@ void write_rigid_contact(const World<D>& world, const RigidContact<D>& at, hs_co
   out.type = is_of_edges ? HS_CONTACT_EDGE_EDGE
              : D == 2    ? in_plane[manifold.count - 1]
                          : in_space[std::min(manifold.count, 3) - 1];
-  Vector<D> center = Vector<D>::Zero(), force_point = Vector<D>::Zero();
-  const double impulse = at.normal_impulse();
+  Vector<D> center = Vector<D>::Zero();
   for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
     const Vector<D> place = blocks.position[carrier] + blocks.rotation[carrier] * at.manifold.point[i];
     write_vector(place, out.points[i]);
@@ -123,16 +122,11 @@ void write_rigid_contact(const World<D>& world, const RigidContact<D>& at, hs_co
     const double part = 1.0 / at.manifold.count;
     center += part * place;
     out.center_gap += part * at.gap[i];
-    force_point += (impulse > 0 ? at.impulse[i] / impulse : part) * place;
   }
   out.gap = at.min_gap();
   write_vector(center, out.center);
   write_vector(at.normal, out.normal);
-  const Vector<D> force = world.hard_contacts().rigid().force_of(at);
-  write_vector(force, out.force);
-  write_vector(force_point, out.force_point);
-  out.normal_force = at.normal.dot(force);
-  write_vector(Vector<D>(force - out.normal_force * at.normal), out.shear_force);
+  write_force(world.hard_contacts().rigid().load_of(at), at.normal, blocks.position[std::size_t(at.a)], out);
   out.touched_at = at.touched_at;
 }
 

@@ -42,6 +42,7 @@ template <int D>
 void World<D>::forget_contacts() {
   contacts_.forget();
   forces_.forget();
+  hard_contacts_.forget_loads();
 }
 
 template <int D>
@@ -57,7 +58,7 @@ template <int D>
 void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
-  hard_contacts_.rebuild_surface();
+  hard_contacts_.fit_room();
   if (!model_.water.empty()) water_pass_.fit_room();
   entrances_.fit_room();
   sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));

@@ -386,8 +386,10 @@ module halfspace_c
     real(c_double) :: angle = 0.0_c_double  !< 2D: rotation, rad, including full turns
     real(c_double) :: velocity(3) = 0.0_c_double  !< of the centroid, m/s
     real(c_double) :: angular_velocity(3) = 0.0_c_double  !< rad/s; 2D: z
-    real(c_double) :: force(3) = 0.0_c_double  !< force of contacts, bonds, bolts and water at the last force evaluation, N
-    real(c_double) :: torque(3) = 0.0_c_double  !< their torque about the centroid at the last force evaluation, N m
+    !> force of contacts, bonds, bolts and water at the last force evaluation, N; of contacts without springs
+    !! at the end of the last step
+    real(c_double) :: force(3) = 0.0_c_double
+    real(c_double) :: torque(3) = 0.0_c_double  !< their torque about the centroid, N m
     real(c_double) :: mass = 0.0_c_double  !< kg, in 2D per unit thickness; 0 for a part of a compound
   end type hs_block_state
 
@@ -1413,7 +1415,7 @@ module halfspace_c
     end function hs_world_detect
 
     !> Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
-    !! hs_world_detect().
+    !! hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
     !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses
     function hs_world_forces(world, elapsed, forces, torques) bind(c)
       import

@@ -488,8 +488,10 @@ class hs_block_state(_Struct):
         ("angle", c_double),  # 2D: rotation, rad, including full turns
         ("velocity", c_double * 3),  # of the centroid, m/s
         ("angular_velocity", c_double * 3),  # rad/s; 2D: z
-        ("force", c_double * 3),  # force of contacts, bonds, bolts and water at the last force evaluation, N
-        ("torque", c_double * 3),  # their torque about the centroid at the last force evaluation, N m
+        # force of contacts, bonds, bolts and water at the last force evaluation, N; of contacts without
+        # springs at the end of the last step
+        ("force", c_double * 3),
+        ("torque", c_double * 3),  # their torque about the centroid, N m
         ("mass", c_double),  # kg, in 2D per unit thickness; 0 for a part of a compound
     ]
 
@@ -1474,7 +1476,7 @@ def declare(library: Any) -> None:
     library.hs_world_detect.restype = hs_status
 
     # Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
-    # hs_world_detect().
+    # hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
     library.hs_world_forces.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # elapsed

@@ -239,9 +239,10 @@ class BlockState(Record):
     angular_velocity : array, shape (3,)
         rad/s; 2D: z
     force : array, shape (3,)
-        force of contacts, bonds, bolts and water at the last force evaluation, N
+        force of contacts, bonds, bolts and water at the last force evaluation, N; of contacts without springs
+        at the end of the last step
     torque : array, shape (3,)
-        their torque about the centroid at the last force evaluation, N m
+        their torque about the centroid, N m
     mass : float
         kg, in 2D per unit thickness; 0 for a part of a compound
     """

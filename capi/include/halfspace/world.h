@@ -92,8 +92,9 @@ typedef struct hs_block_state {
   double angle;               /**< 2D: rotation, rad, including full turns */
   double velocity[3];         /**< of the centroid, m/s */
   double angular_velocity[3]; /**< rad/s; 2D: z */
-  double force[3];            /**< force of contacts, bonds, bolts and water at the last force evaluation, N */
-  double torque[3];           /**< their torque about the centroid at the last force evaluation, N m */
+  double force[3];            /**< force of contacts, bonds, bolts and water at the last force evaluation, N;
+                                   of contacts without springs at the end of the last step */
+  double torque[3];           /**< their torque about the centroid, N m */
   double mass;                /**< kg, in 2D per unit thickness; 0 for a part of a compound */
 } hs_block_state;
 
@@ -296,7 +297,7 @@ HS_CHECKED hs_status hs_world_set_applied_forces(hs_world *world, hs_view forces
 HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 
 /** @brief Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
- *  hs_world_detect().
+ *  hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
  *  @param world not NULL
  *  @param elapsed time since the last call, s, >= 0: shear springs extend by velocity times this
  *  @param forces receives the force on each block, N, in the order of hs_world_get_blocks()

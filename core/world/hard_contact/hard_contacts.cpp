@@ -147,6 +147,42 @@ void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) 
   contacts_.end_bonds_without_spring();
 }
 
+template <int D>
+typename HardContacts<D>::BlockLoad HardContacts<D>::load_on(std::size_t slot) const {
+  if (!are_loads_summed_) sum_loads();
+  return slot < loads_.size() ? loads_[slot] : BlockLoad{Vector<D>::Zero(), Angular<D>::Zero()};
+}
+
+template <int D>
+void HardContacts<D>::sum_loads() const {
+  loads_.clear();
+  const auto& position = model_.blocks.position;
+  for (const PointContact<D>& at : points_.all()) {
+    const Vector<D> arm = place_of(at.of_a, model_.blocks) - position[std::size_t(at.a)];
+    add_load(at.a, at.b, {-at.force, arm});
+  }
+  for (const RigidContact<D>& at : rigid_.all()) add_load(at.a, at.b, rigid_.load_of(at));
+  are_loads_summed_ = true;
+}
+
+/// Loads of parts act on their compound, too.
+template <int D>
+void HardContacts<D>::add_load(std::int32_t a, std::int32_t b, const ContactForce<D>& on_b) const {
+  const Blocks<D>& blocks = model_.blocks;
+  const auto add = [&](std::size_t slot, const Vector<D>& force, const Angular<D>& torque) {
+    if (slot >= loads_.size()) loads_.resize(slot + 1, {Vector<D>::Zero(), Angular<D>::Zero()});
+    loads_[slot].force += force;
+    loads_[slot].torque += torque;
+  };
+  const auto add_to_both = [&](std::size_t slot, const Vector<D>& force, const Angular<D>& torque) {
+    add(slot, force, torque);
+    if (blocks.is_part(slot)) add(blocks.mover_of(slot), force, torque + moment(blocks.arm_of(slot), force));
+  };
+  const Vector<D> to_b = blocks.position[std::size_t(b)] - blocks.position[std::size_t(a)];
+  add_to_both(std::size_t(a), -on_b.force, on_b.torque_on_a());
+  add_to_both(std::size_t(b), on_b.force, on_b.torque_on_b(to_b));
+}
+
 template class HardContacts<2>;
 template class HardContacts<3>;
 

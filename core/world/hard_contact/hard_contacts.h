@@ -17,7 +17,8 @@ class HardContacts {
         integrator_(integrator),
         points_(model, contacts, integrator, memory),
         rigid_(model, contacts, integrator, memory),
-        together_(model.blocks, memory) {}
+        together_(model.blocks, memory),
+        loads_(memory) {}
 
   /// Does any law have no springs?
   bool is_used() const { return model_.materials.laws().knows_no_spring(); }
@@ -37,9 +38,18 @@ class HardContacts {
     return model_.settings.locate_impacts ? rigid_.fraction_before_impact() : 1;
   }
 
+  using BlockLoad = typename Integrator<D>::BlockLoad;
+  /// The sum of the contacts' loads on a block at the end of the last motion; of a compound, those on its
+  /// parts. They are summed when they are first asked for after a motion, so that steps do not pay for it.
+  BlockLoad load_on(std::size_t slot) const;
+  /// Contacts or poses have changed.
+  void forget_loads() { are_loads_summed_ = false; }
+
   /// After the neighbour list has been renewed.
-  void rebuild_surface() {
-    if (is_used()) points_.rebuild_surface();
+  void fit_room() {
+    if (!is_used()) return;
+    points_.rebuild_surface();
+    loads_.reserve(model_.blocks.slot_count());
   }
 
   /// Calls `visit(a, b)` for a moving and a sleeping block that will touch.
@@ -90,6 +100,8 @@ class HardContacts {
   bool close_gaps(double duration);
   bool solve(Half half, double duration);
   bool solve_together(Half half, double duration);
+  void sum_loads() const;
+  void add_load(std::int32_t a, std::int32_t b, const ContactForce<D>& on_b) const;
 
   const Model<D>& model_;
   ContactList<D>& contacts_;
@@ -102,6 +114,8 @@ class HardContacts {
   bool has_impact_ = false;    // of manifolds, in this motion
   SolverPause pause_;          // of active sets beside points, after the last motion
   SolverPause next_pause_;
+  mutable Array<BlockLoad> loads_;  // per slot up to the last one with a contact
+  mutable bool are_loads_summed_ = false;
 };
 
 extern template class HardContacts<2>;

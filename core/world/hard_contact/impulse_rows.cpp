@@ -32,7 +32,7 @@ void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
 /// Friction acts there.
 template <int D>
 typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
-    const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
+    const RigidContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
   const std::size_t count = std::size_t(at.manifold.count);
   const double touching = at.min_gap() + search_.settled_gap(at);
   const double towards_plane = at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1;

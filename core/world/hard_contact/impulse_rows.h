@@ -20,15 +20,16 @@ class ImpulseRows {
   void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
              std::span<const std::size_t> immovable = {});
 
- private:
   /// Where friction acts.
   struct Patch {
     Vector<D> center;  // from the centroid of a
     double radius;
   };
+  /// `arm`: of each point, from the centroid of a.
+  Patch patch_of(const RigidContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
 
+ private:
   void set_inverse_masses(ImpulseProblem<D>& problem);
-  Patch patch_of(const PlannedContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;

@@ -402,10 +402,25 @@ double RigidContacts<D>::largest_overlap() const {
   return overlap;
 }
 
+/// At the centre of the normal impulses; the couple is that of friction, which acts in the middle of the
+/// points that touch.
 template <int D>
-Vector<D> RigidContacts<D>::force_of(const RigidContact<D>& contact) const {
-  const Vector<D> impulse = contact.normal_impulse() * contact.normal + contact.friction;
-  return duration_ > 0 ? Vector<D>(2 / duration_ * impulse) : Vector<D>(Vector<D>::Zero());
+ContactForce<D> RigidContacts<D>::load_of(const RigidContact<D>& contact) const {
+  const Manifold<D>& manifold = contact.manifold;
+  const PosedBlock<D> a = search_.now(std::size_t(contact.a)), b = search_.now(std::size_t(contact.b));
+  const double impulse = contact.normal_impulse();
+  std::array<Vector<D>, max_manifold_points<D>> arm;
+  ContactForce<D> load;
+  for (std::size_t i = 0; i < std::size_t(manifold.count); ++i) {
+    arm[i] = arm_of(manifold, i, a, b);
+    load.point += (impulse > 0 ? contact.impulse[i] / impulse : 1.0 / manifold.count) * arm[i];
+  }
+  if (!(duration_ > 0)) return load;
+  const double rate = 2 / duration_;
+  load.force = rate * (impulse * contact.normal + contact.friction);
+  load.couple = rate * moment(Vector<D>(rows_.patch_of(contact, arm).center - load.point), contact.friction);
+  if constexpr (D == 3) load.couple += rate * contact.couple * contact.normal;
+  return load;
 }
 
 template <int D>

@@ -43,8 +43,8 @@ class RigidContacts {
   double deepest() const { return deepest_; }
   double unbalanced_velocity() const { return unbalanced_velocity_; }
   double fraction_before_impact() const { return fraction_before_impact_; }
-  /// On b, of the half step at the end of the last motion.
-  Vector<D> force_of(const RigidContact<D>& contact) const;
+  /// The load of the half step at the end of the last motion, on the blocks where they are now.
+  ContactForce<D> load_of(const RigidContact<D>& contact) const;
 
   template <class Visit>
   void for_each_meeting(double duration, Visit visit) {

@@ -118,7 +118,7 @@ Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const 
   for (const PointContact<D>& contact : hard_contacts.points())
     add_to_both(contact.a, contact.b, contact.force.norm());
   for (const RigidContact<D>& contact : hard_contacts.rigid().all())
-    add_to_both(contact.a, contact.b, hard_contacts.rigid().force_of(contact).norm());
+    add_to_both(contact.a, contact.b, hard_contacts.rigid().load_of(contact).force.norm());
   for (const Bond<D>& bond : blocks.bonds().all()) {
     if (!bond.is_joint) continue;
     for (const BondPoint<D>& point : blocks.bonds().points_of(bond))

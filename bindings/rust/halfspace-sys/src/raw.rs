@@ -664,9 +664,10 @@ pub struct hs_block_state {
     pub velocity: [f64; 3],
     /// rad/s; 2D: z
     pub angular_velocity: [f64; 3],
-    /// force of contacts, bonds, bolts and water at the last force evaluation, N
+    /// force of contacts, bonds, bolts and water at the last force evaluation, N; of contacts without springs
+    /// at the end of the last step
     pub force: [f64; 3],
-    /// their torque about the centroid at the last force evaluation, N m
+    /// their torque about the centroid, N m
     pub torque: [f64; 3],
     /// kg, in 2D per unit thickness; 0 for a part of a compound
     pub mass: f64,
@@ -2076,7 +2077,7 @@ extern "C" {
     pub fn hs_world_detect(world: *mut hs_world, touching: *mut i64) -> hs_status;
 
     /// Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
-    /// hs_world_detect().
+    /// hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
     ///
     /// - `world`: not NULL
     /// - `elapsed`: time since the last call, s, >= 0: shear springs extend by velocity times this

@@ -215,9 +215,10 @@ pub struct BlockState {
     pub velocity: [f64; 3],
     /// rad/s; 2D: z
     pub angular_velocity: [f64; 3],
-    /// force of contacts, bonds, bolts and water at the last force evaluation, N
+    /// force of contacts, bonds, bolts and water at the last force evaluation, N; of contacts without springs
+    /// at the end of the last step
     pub force: [f64; 3],
-    /// their torque about the centroid at the last force evaluation, N m
+    /// their torque about the centroid, N m
     pub torque: [f64; 3],
     /// kg, in 2D per unit thickness; 0 for a part of a compound
     pub mass: f64,
