@@ -104,7 +104,7 @@ class CommandLine(unittest.TestCase):
 
     def test_signals_end_runs_of_times_as_extreme_as_can_be(self):
         for changes in ({"history_interval": 1e-300}, {"history_interval": 5e-324}, {"history_interval": 1e300},
-                        {"time_step": 1e-300}, {"duration": 1e300, "frame_interval": 1e299}):
+                        {"duration": 1e300, "frame_interval": 1e299}):
             with self.subTest(**changes):
                 shutil.rmtree(self.output, ignore_errors=True)
                 self.assertEqual(self.ended_by(signal.SIGTERM, self.endless_scene(**changes)), 1)

@@ -235,6 +235,32 @@ class SceneFaults(unittest.TestCase):
 
 
 class Generators(unittest.TestCase):
+    def test_steps_that_never_reach_the_end_of_the_run_are_a_fault(self):
+        base = """dimension = 2
+world = {{ duration = 1, {} }}
+material = [{{ name = "m", density = 2000 }}]
+default_law = {{ stiffness = "per area", normal_stiffness = {}, friction_angle = 30 }}
+block = [
+  {{ name = "floor", kind = "fixed", material = "m", vertices = [[-1, -1], [1, -1], [1, 0], [-1, 0]] }},
+  {{ name = "stone", material = "m", vertices = [[0, 0], [1, 0], [1, 1], [0, 1]] }},
+]
+"""
+        for world, stiffness, fault in (
+                ("time_step = 1e-320", 1e8, "world.time_step: 1 s in steps of 1e-320 s: the run never ends; allowed: "
+                                            "steps of at least 1.1e-16 s, by a larger time_step"),
+                ("safety = 1e-300", 1e8, "by a larger safety"), ("gravity = [0, -1]", "1e75", "by a smaller normal_stiffness")):
+            with self.subTest(world), tempfile.TemporaryDirectory() as directory:
+                scene = Path(directory, "scene.toml")
+                scene.write_text(base.format(world, stiffness))
+                for command in ("check",), ("run", "-o", Path(directory, "out")):
+                    answer = halfspace(command[0], scene, *command[1:], timeout=60)
+                    self.assertEqual(answer.returncode, 1)
+                    self.assertIn(fault, answer.stderr)
+        with tempfile.TemporaryDirectory() as directory:
+            scene = Path(directory, "scene.toml")
+            scene.write_text(base.format("time_step = 1e-9", 1e8))
+            self.assertEqual(halfspace("check", scene).returncode, 0)
+
     def test_what_is_too_small_to_compute_with_is_a_fault_with_its_place(self):
         world = ('dimension = 2\n[world]\nduration = 1\n[[material]]\nname = "stone"\ndensity = 2500\n'
                  '[default_law]\nstiffness = "per contact"\nnormal_stiffness = 1e8\n')

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/text.h"
 #include "common/vector.h"
 #include "model/joint_stress.h"
 #include "model/placing.h"
@@ -26,6 +27,25 @@ BlockFrame removed() {
 void set_velocity(hs_block_def& def, const Motion& motion) {
   std::copy(motion.velocity.begin(), motion.velocity.end(), def.velocity);
   std::copy(motion.angular_velocity.begin(), motion.angular_velocity.end(), def.angular_velocity);
+}
+
+/// Refuses steps so small that the run cannot reach its end: the time, a double, does not resolve them.
+/// Longer runs than of 1e9 s are meant to be stopped.
+void require_end(const Scene& scene, const hs_world_report& start) {
+  constexpr double max_steps = 0x1p53, endless = 1e9;
+  const double given = scene.world.time_step, stable = start.stable_time_step;
+  const double step = given > 0 ? given : scene.world.safety * stable;
+  const double resolved = std::min(scene.duration, endless) / max_steps;
+  if (step >= resolved || (given == 0 && stable == 0)) return;
+  const bool is_too_stiff = given == 0 && stable < resolved;
+  throw SceneFault(given > 0 ? scene.places.time_step : scene.places.duration,
+                   given > 0 ? "world.time_step" : "world.duration",
+                   shortest(scene.duration) + " s in steps of " + rounded(step, 3) +
+                       " s: the run never ends; allowed: steps of at least " + rounded(resolved, 2) +
+                       " s, by a " +
+                       (given > 0      ? "larger time_step"
+                        : is_too_stiff ? "smaller normal_stiffness"
+                                       : "larger safety"));
 }
 
 }  // namespace
@@ -88,6 +108,7 @@ Model::Model(const Context& context, const Scene& scene, Layout layout)
   prepare_bolts();
   if (scene.in_situ) preload_joints(scene);
   update_report();
+  require_end(scene, report_);
   is_moving_.resize(blocks_.size());
   note_motions();
   if (scene.stages.empty()) begin_actions(0);
