@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "halfspace/context.h"
+#include "threads/interrupt.h"
 #include "threads/threads.h"
 
 /// A parallel task of core.
@@ -46,6 +47,17 @@ class HostThreads : public Threads {
   hs_context_def def_;
 };
 
+/// Interrupt of core: the host's function.
+class HostInterrupt : public Interrupt {
+ public:
+  explicit HostInterrupt(const hs_context_def& def) : def_(def) {}
+
+  bool is_requested() override { return def_.interrupt && def_.interrupt(def_.host) != 0; }
+
+ private:
+  hs_context_def def_;
+};
+
 /// Text of the last error, of fixed length, so that reporting an error cannot fail. Several threads may write
 /// it at once, as they may use the same shapes: then it is that of one of them, or mixed, but it ends.
 class ErrorText {
@@ -72,10 +84,12 @@ std::unique_ptr<Threads> threads_of(const hs_context_def& def);
 }  // namespace halfspace::capi
 
 struct hs_context {
-  explicit hs_context(const hs_context_def& def) : memory(def), threads(halfspace::capi::threads_of(def)) {}
+  explicit hs_context(const hs_context_def& def)
+      : memory(def), threads(halfspace::capi::threads_of(def)), interrupt(def) {}
 
   halfspace::capi::HostMemory memory;
   std::unique_ptr<halfspace::Threads> threads;
+  halfspace::capi::HostInterrupt interrupt;
   halfspace::capi::ErrorText last_error;
 };
 

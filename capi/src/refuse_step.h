@@ -26,9 +26,34 @@ void require_stepped(World<D>& w, StepResult result) {
            w.inverted_cell().cell, static_cast<unsigned long long>(id_of(w.meshes(), w.inverted_cell().body)),
            w.time(), static_cast<long long>(w.steps()));
   }
+  const auto id = [&](std::int32_t slot) {
+    return static_cast<unsigned long long>(id_of(w.blocks(), std::size_t(slot)));
+  };
+  if (result == StepResult::interrupted)
+    refuse(HS_ERROR_INTERRUPTED, "the host has interrupted step %lld at time %g",
+           static_cast<long long>(w.steps()), w.time());
+  if (result == StepResult::overworked) {
+    const PressedPair pair = w.hard_contacts().most_pressed();
+    refuse(HS_ERROR_UNSTABLE,
+           "unstable at time %g (step %lld): the step has been divided into %d parts or %lld iterations; the "
+           "largest contact force, %g N, is between blocks %#llx and %#llx; reduce the time step %g",
+           w.time(), static_cast<long long>(w.steps()), max_motions,
+           static_cast<long long>(w.max_divided_iterations()), pair.force, pair.a < 0 ? 0 : id(pair.a),
+           pair.b < 0 ? 0 : id(pair.b), w.time_step());
+  }
+  if (const auto& jam = w.hard_contacts().jam(); jam && result == StepResult::unstable) {
+    refuse(HS_ERROR_UNSTABLE,
+           "unstable at time %g (step %lld): prescribed block %#llx presses on blocks that cannot move away; "
+           "the "
+           "force between blocks %#llx and %#llx would exceed %g N; stop the block there, or give it a force",
+           w.time(), static_cast<long long>(w.steps()), id(jam->block), id(jam->pair.a), id(jam->pair.b),
+           jam->pair.force);
+  }
   if (result == StepResult::unstable) {
-    refuse(HS_ERROR_UNSTABLE, "unstable at time %g (step %lld): time step %g, stable time step %g", w.time(),
-           static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
+    refuse(HS_ERROR_UNSTABLE,
+           "unstable at time %g (step %lld): time step %g, stable time step %g; reduce the time step or the "
+           "safety",
+           w.time(), static_cast<long long>(w.steps()), w.time_step(), w.stable_time_step());
   }
 }
 

@@ -23,7 +23,7 @@ namespace halfspace::capi {
 template <int D>
 struct WorldHandle : hs_world {
   WorldHandle(hs_context* owner, const WorldSettings<D>& settings)
-      : hs_world{owner, D}, world(settings, &owner->memory, owner->threads.get()) {}
+      : hs_world{owner, D}, world(settings, &owner->memory, owner->threads.get(), &owner->interrupt) {}
 
   World<D> world;
 };

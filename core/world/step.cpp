@@ -106,6 +106,7 @@ StepResult World<D>::divide() {
       part = std::min(part, before_impact);
     if (part >= whole_part) return StepResult::ok;
     if (!(part * integrator_.duration() >= min_part * clock_.time_step())) return StepResult::unstable;
+    if (is_overworked()) return StepResult::overworked;
     if (!predict_motion(part * integrator_.duration())) return diverged();
   }
 }
@@ -258,12 +259,13 @@ StepResult World<D>::predict_next() {
   }
 }
 
-/// One motion, or several where fast blocks divide the step. A step that would take more than max_motions
-/// ends in between, and can be continued.
+/// One motion, or several where fast blocks divide the step. A step that would take too many, or too many
+/// iterations, ends in between, as does one that the host interrupts. It can be continued.
 template <int D>
 StepResult World<D>::step() {
   drop_plan();
   motions_ = 0;
+  first_iteration_ = hard_contacts_.iterations();
   wake(sleep_.wake_in_time(clock_.time(), clock_.time_step()));
   for (;;) {
     const StepResult result = predict_next();
@@ -273,8 +275,9 @@ StepResult World<D>::step() {
     move();
     if (is_last) break;
     clock_.pass_part(duration);
-    if (++motions_ == max_motions)
-      return continuous_collision_.any() ? StepResult::too_fast : StepResult::unstable;
+    ++motions_;
+    if (is_overworked()) return names_fast_pair() ? StepResult::too_fast : StepResult::overworked;
+    if (interrupt_ && interrupt_->is_requested()) return StepResult::interrupted;
   }
   clock_.complete_step();
   look_for_sleep();

@@ -9,8 +9,9 @@
 namespace halfspace {
 
 template <int D>
-World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threads)
+World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threads, Interrupt* interrupt)
     : threads_(threads),
+      interrupt_(interrupt),
       model_(settings, memory),
       contacts_(model_, threads, memory),
       forces_(model_, contacts_, threads, memory),

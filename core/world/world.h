@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "block/mesh/surface.h"
+#include "threads/interrupt.h"
 #include "world/contacts/bond_pass.h"
 #include "world/contacts/contact_list.h"
 #include "world/contacts/entrance.h"
@@ -28,7 +29,8 @@
 
 namespace halfspace {
 
-enum class StepResult { ok, unstable, no_time_step, too_fast, inverted };
+/// overworked: the step has been divided, and its motions have taken too many iterations.
+enum class StepResult { ok, unstable, no_time_step, too_fast, inverted, overworked, interrupted };
 
 /// The body of an added mesh, or the fault of the mesh.
 struct PlacedMesh {
@@ -87,14 +89,18 @@ struct Momentum {
 /// Maximum number of motions in one call of step().
 constexpr int max_motions = 1 << 14;
 
+/// Maximum number of iterations for the impulses of a divided step, over those that one solve may take.
+constexpr std::int64_t max_divided_solves = 1 << 10;
+
 /// Blocks, their contacts, and time. Owns the parts of a world and orders them: a step predicts a motion,
 /// makes its first half, finds the contacts at the new positions, computes their forces, makes the second
 /// half, and books the energy.
 template <int D>
 class World {
  public:
-  /// The threads, if any, must outlive the world.
-  World(const WorldSettings<D>& settings, Memory* memory, Threads* threads = nullptr);
+  /// The threads and the interrupt, if any, must outlive the world.
+  World(const WorldSettings<D>& settings, Memory* memory, Threads* threads = nullptr,
+        Interrupt* interrupt = nullptr);
 
   // Edits.
   std::int32_t add_material(double density);
@@ -243,6 +249,9 @@ class World {
   double time() const { return clock_.time(); }
   std::int64_t steps() const { return clock_.steps(); }
   double time_step() const { return clock_.time_step(); }
+  std::int64_t max_divided_iterations() const {
+    return max_divided_solves * model_.settings.max_impulse_iterations;
+  }
   std::int64_t divided_steps() const { return clock_.divided_steps(); }
   const Bonds<D>& bonds() const { return model_.blocks.bonds(); }
   double bond_strain_energy() const { return bond_strain_energy_; }
@@ -361,6 +370,12 @@ class World {
   StepResult predict_next();
   void drop_motion();
   StepResult divide();
+  /// A block that only rotates fast may have no pair.
+  bool names_fast_pair() const { return continuous_collision_.any() && fast_pair().a != fast_pair().b; }
+  bool is_overworked() const {
+    return motions_ >= max_motions ||
+           hard_contacts_.iterations() - first_iteration_ > max_divided_iterations();
+  }
   StepResult diverged() const;
   StepResult load_changed();
   void move();
@@ -381,6 +396,7 @@ class World {
   }
 
   Threads* threads_;
+  Interrupt* interrupt_;
   Stopwatch* stopwatch_ = nullptr;
   Model<D> model_;
   EnergyLedger ledger_;
@@ -404,9 +420,10 @@ class World {
   double left_out_strain_ = 0;        // of the contacts that sleep leaves out
   bool are_left_out_loaded_ = false;  // their forces are computed
   double strength_factor_ = 1;
-  double made_ = 0;          // duration of the last motion, during detection at its end; else 0
-  int motions_ = 0;          // that the present step has made
-  std::int32_t edited_ = 1;  // 1: forces, accelerations and ledger are out of date
+  double made_ = 0;                   // duration of the last motion, during detection at its end; else 0
+  int motions_ = 0;                   // that the present step has made
+  std::int64_t first_iteration_ = 0;  // of the present step
+  std::int32_t edited_ = 1;           // 1: forces, accelerations and ledger are out of date
 };
 
 extern template class World<2>;

@@ -8,6 +8,9 @@
 
 FIELD(hs_law_def, restitution, 64, 8);
 
+FIELD(hs_context_def, interrupt, 56, 8);
+FIELD(hs_context_def, host, 64, 8);
+
 FIELD(hs_world_def, impulse_tolerance, 112, 8);
 FIELD(hs_world_def, max_impulse_iterations, 120, 4);
 FIELD(hs_world_def, locate_impacts, 124, 4);
@@ -99,6 +102,8 @@ FIELD(hs_water_def, struct_size, 0, 4);
 FIELD(hs_water_def, columns, 4, 4);
 FIELD(hs_water_def, density, 8, 8);
 FIELD(hs_water_def, factor, 16, 8);
+
+_Static_assert(HS_ERROR_INTERRUPTED == -11, "HS_ERROR_INTERRUPTED");
 
 _Static_assert(HS_AXIS_ROTATION == 8, "HS_AXIS_ROTATION");
 

@@ -82,7 +82,7 @@ int run(const SceneFile& file, const Target& target, RunOptions options, const s
   print(stdout, result.summary + result.timings);
   print_files(directory);
   if (result.outcome == Outcome::unstable) {
-    print(stderr, "halfspace: unstable run: " + result.trouble + "; reduce time_step or safety in [world]\n");
+    print(stderr, "halfspace: unstable run: " + result.trouble + '\n');
     return exit_unstable;
   }
   if (result.outcome == Outcome::too_fast) {

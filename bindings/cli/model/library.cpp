@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/interrupt.h"
+
 namespace halfspace::cli {
 
 std::string LibraryError::reason() const {
@@ -20,6 +22,7 @@ Context make_context(int threads) {
   hs_context_def def;
   hs_context_def_init(&def, sizeof def);
   def.threads = threads;
+  def.interrupt = [](void*) { return static_cast<int32_t>(interrupt_requested()); };
   hs_context* context = nullptr;
   const hs_status status = hs_context_create(&def, &context);
   if (status < 0) throw LibraryError(status, hs_status_string(status));

@@ -73,7 +73,7 @@ const char* describe(Outcome outcome) {
     case Outcome::interrupted:
       return "interrupted";
     case Outcome::unstable:
-      return "UNSTABLE: the time step is too large";
+      return "UNSTABLE: the next step could not be made";
     case Outcome::too_fast:
       return "REFUSED: two blocks are too fast for the time step";
   }

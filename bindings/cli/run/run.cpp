@@ -152,6 +152,10 @@ class Run {
       save_checkpoint();
       return outcome;
     } catch (const LibraryError& error) {
+      if (error.status == HS_ERROR_INTERRUPTED) {
+        save_checkpoint();
+        return Outcome::interrupted;
+      }
       if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
       trouble = error.what();
       return error.status == HS_ERROR_UNSTABLE ? Outcome::unstable : Outcome::too_fast;

@@ -25,6 +25,7 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_ERROR_INTERNAL = -8  !< internal error of the library; please report it
   integer(c_int32_t), parameter :: HS_ERROR_TOO_FAST = -9  !< two blocks approach too fast for the time step and their thickness
   integer(c_int32_t), parameter :: HS_ERROR_INVERTED = -10  !< a mesh cell would be inverted
+  integer(c_int32_t), parameter :: HS_ERROR_INTERRUPTED = -11  !< the host has interrupted the call
 
   !> Contact types (Wang et al. 2021, section 2.5).
   !> separated: a violated potential contact pair or a separating plane proves it
@@ -290,6 +291,10 @@ module halfspace_c
     !! other function of the library.
     type(c_funptr) :: run_tasks = c_null_funptr
     type(c_ptr) :: scheduler = c_null_ptr  !< passed to run_tasks
+    !> Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided
+    !! step, which may take long, and must call no function of the library.
+    type(c_funptr) :: interrupt = c_null_funptr
+    type(c_ptr) :: host = c_null_ptr  !< passed to interrupt
   end type hs_context_def
 
   !> First fault of an input.
@@ -871,6 +876,14 @@ module halfspace_c
       type(c_ptr), value :: scheduler
     end subroutine hs_context_def_run_tasks
 
+    !> Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided
+    !! step, which may take long, and must call no function of the library.
+    function hs_context_def_interrupt(host) bind(c)
+      import
+      type(c_ptr), value :: host
+      integer(c_int32_t) :: hs_context_def_interrupt
+    end function hs_context_def_interrupt
+
   end interface
 
   interface
@@ -1430,7 +1443,7 @@ module halfspace_c
     !! divided step (docs/concepts/impact.md) this is the last valid substep, and the next call completes the
     !! step.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
-    !! HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED
+    !! HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED or HS_ERROR_INTERRUPTED
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL

@@ -26,6 +26,7 @@ contains
     case ('HS_ERROR_INTERNAL'); constant = HS_ERROR_INTERNAL
     case ('HS_ERROR_TOO_FAST'); constant = HS_ERROR_TOO_FAST
     case ('HS_ERROR_INVERTED'); constant = HS_ERROR_INVERTED
+    case ('HS_ERROR_INTERRUPTED'); constant = HS_ERROR_INTERRUPTED
     case ('HS_CONTACT_NONE'); constant = HS_CONTACT_NONE
     case ('HS_CONTACT_VERTEX_VERTEX'); constant = HS_CONTACT_VERTEX_VERTEX
     case ('HS_CONTACT_VERTEX_EDGE'); constant = HS_CONTACT_VERTEX_EDGE

@@ -52,6 +52,7 @@ HS_ERROR_FORMAT = -7  # the bytes are not a snapshot that this library can read
 HS_ERROR_INTERNAL = -8  # internal error of the library; please report it
 HS_ERROR_TOO_FAST = -9  # two blocks approach too fast for the time step and their thickness
 HS_ERROR_INVERTED = -10  # a mesh cell would be inverted
+HS_ERROR_INTERRUPTED = -11  # the host has interrupted the call
 
 # Contact types (Wang et al. 2021, section 2.5).
 HS_CONTACT_NONE = 0  # separated: a violated potential contact pair or a separating plane proves it
@@ -239,6 +240,9 @@ hs_context_def_release = CFUNCTYPE(None, c_void_p, c_size_t, c_size_t, c_void_p)
 # equals `threads`. Thread rule: called on the thread of an hs_world_ function; it must call no other function
 # of the library.
 hs_context_def_run_tasks = CFUNCTYPE(None, POINTER(hs_task), c_int32, c_void_p)
+# Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided step,
+# which may take long, and must call no function of the library.
+hs_context_def_interrupt = CFUNCTYPE(c_int32, c_void_p)
 
 
 class hs_view(_Struct):
@@ -370,6 +374,10 @@ class hs_context_def(_Struct):
         # must call no other function of the library.
         ("run_tasks", hs_context_def_run_tasks),
         ("scheduler", c_void_p),  # passed to run_tasks
+        # Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided
+        # step, which may take long, and must call no function of the library.
+        ("interrupt", hs_context_def_interrupt),
+        ("host", c_void_p),  # passed to interrupt
     ]
 
 

@@ -58,6 +58,10 @@ class InvertedError(HalfspaceError, ArithmeticError):
     """A mesh cell would be inverted. The world keeps the last valid state."""
 
 
+class InterruptedCallError(HalfspaceError):
+    """The host has interrupted a step that was divided into many parts. The next call completes the step."""
+
+
 class FormatError(HalfspaceError, ValueError):
     """The bytes are not a snapshot that this library can read."""
 
@@ -94,6 +98,7 @@ _ERROR_OF_STATUS: Dict[int, Type[HalfspaceError]] = {
     _raw.HS_ERROR_UNSTABLE: UnstableError,
     _raw.HS_ERROR_TOO_FAST: TooFastError,
     _raw.HS_ERROR_INVERTED: InvertedError,
+    _raw.HS_ERROR_INTERRUPTED: InterruptedCallError,
     _raw.HS_ERROR_FORMAT: FormatError,
     _raw.HS_ERROR_INTERNAL: InternalError,
 }

@@ -40,6 +40,10 @@ typedef struct hs_context_def {
    *  other function of the library. */
   void (*run_tasks)(hs_task *task, int32_t count, void *scheduler);
   void *scheduler; /**< passed to run_tasks */
+  /** Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided
+   *  step, which may take long, and must call no function of the library. */
+  int32_t (*interrupt)(void *host);
+  void *host; /**< passed to interrupt */
 } hs_context_def;
 
 /** @brief Fills a context definition with its defaults.

@@ -29,7 +29,8 @@ typedef int32_t hs_status;
   X(HS_ERROR_FORMAT, -7, "the bytes are not a snapshot that this library can read")              \
   X(HS_ERROR_INTERNAL, -8, "internal error of the library; please report it")                    \
   X(HS_ERROR_TOO_FAST, -9, "two blocks approach too fast for the time step and their thickness") \
-  X(HS_ERROR_INVERTED, -10, "a mesh cell would be inverted")
+  X(HS_ERROR_INVERTED, -10, "a mesh cell would be inverted")                                     \
+  X(HS_ERROR_INTERRUPTED, -11, "the host has interrupted the call")
 
 /** An entry of the list as an enumerator. */
 #define HS_STATUS_ENUM(name, value, text) name = value,

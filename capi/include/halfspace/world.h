@@ -313,7 +313,8 @@ HS_CHECKED hs_status hs_world_forces(hs_world *world, double elapsed, hs_mutable
  *  @param steps number of steps, >= 0; 0: contacts and forces of a changed world are evaluated, if it has a time
  *         step
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
- *         HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED */
+ *         HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED or
+ *         HS_ERROR_INTERRUPTED */
 HS_CHECKED hs_status hs_world_step(hs_world *world, int64_t steps);
 
 /** @brief Returns time, time step, counts and energies. After a change of the world it detects contacts and

@@ -17,6 +17,7 @@ void HardContacts<D>::begin(double duration) {
   if (!is_used()) return;
   has_points_ = model_.may_have_points();
   points_.begin();
+  rigid_.begin();
   changes().begin(duration);
 }
 
@@ -64,6 +65,7 @@ template <int D>
 bool HardContacts<D>::close_gaps(double duration) {
   for (int i = 0; i < max_corrections; ++i) {
     has_converged_ = solve(Half::first, duration);
+    if (jam()) return false;
     if (!integrator_.predict(duration)) return false;
     const bool are_points_accurate = points_.correct(duration);
     if ((rigid_.correct_targets(duration) && are_points_accurate) || !has_converged_) break;
@@ -108,7 +110,7 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
     }
   }
   if (!is_balanced(result)) result = sweep(max_mixed_sweeps);
-  rigid_.take_impulses(result);
+  rigid_.take_impulses(half, result);
   changes().begin(duration);
   points_.push();
   rigid_.push();

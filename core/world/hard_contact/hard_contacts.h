@@ -45,6 +45,16 @@ class HardContacts {
   /// Contacts or poses have changed.
   void forget_loads() { are_loads_summed_ = false; }
 
+  /// The contact with the largest force of the coming motion, or of the last one where none is planned.
+  PressedPair most_pressed() const {
+    PressedPair pair;
+    points_.note_pressed(pair);
+    rigid_.note_pressed(pair);
+    return pair;
+  }
+  /// Why the coming motion cannot be made, where a prescribed block jams others.
+  const std::optional<Jam>& jam() const { return rigid_.jam(); }
+
   /// After the neighbour list has been renewed.
   void fit_room() {
     if (!is_used()) return;

@@ -257,6 +257,16 @@ void PointContacts<D>::exchange_known(EnergyLedger& ledger) {
 }
 
 template <int D>
+void PointContacts<D>::note_pressed(PressedPair& pair) const {
+  if (planned_.empty()) {
+    for (const PointContact<D>& at : known_) pair.note(at.a, at.b, at.force.norm());
+  } else {
+    for (const ContactConstraint<D>& at : planned_)
+      pair.note(at.a, at.b, changes().rate() * at.impulse.norm());
+  }
+}
+
+template <int D>
 bool PointContacts<D>::is_consistent() const {
   const auto is_carried = [&](const MaterialPoint<D>& point, std::int32_t block) {
     if (point.block != block || block < 0 || std::size_t(block) >= blocks_.slot_count()) return false;

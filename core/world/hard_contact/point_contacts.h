@@ -1,5 +1,6 @@
 #pragma once
 
+#include "world/hard_contact/jam.h"
 #include "world/hard_contact/point_contact_search.h"
 #include "world/ledger.h"
 #include "world/model/model.h"
@@ -36,6 +37,9 @@ class PointContacts {
   /// The largest penetration so far where the solver did not converge, over the thickness of the thinner
   /// block.
   double deepest() const { return deepest_; }
+
+  /// Of the coming motion, or of the last one where none is planned.
+  void note_pressed(PressedPair& pair) const;
 
   /// After the neighbour list has been renewed.
   void rebuild_surface() { search_.rebuild_surface(); }

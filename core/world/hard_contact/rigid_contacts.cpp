@@ -156,13 +156,21 @@ ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const 
 template <int D>
 bool RigidContacts<D>::solve(Half half, double duration) {
   const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
-  take_impulses(result);
+  take_impulses(half, result);
   push();
   return result.has_converged;
 }
 
+/// The work of a jam's impulses would be without bound: the run ends where the next motion cannot be made.
 template <int D>
-void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
+void RigidContacts<D>::take_impulses(Half half, const ImpulseResult& result) {
+  jam_.reset();
+  if (!result.has_converged)
+    jam_ = find_jam(
+        problem_, blocks_, [&](std::size_t i) { return motion_in(half, i); }, 1 / changes().rate());
+  if (jam_) {
+    for (ImpulseRow<D>& row : problem_.rows) row.impulse = 0;
+  }
   next_iterations_ += result.iterations;
   next_unbalanced_velocity_ = std::max(next_unbalanced_velocity_, result.unbalanced);
   std::size_t c = 0;
@@ -201,14 +209,18 @@ BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
   return {blocks_.velocity[i], blocks_.spin[i]};
 }
 
+/// Without impulses.
+template <int D>
+BlockMotion<D> RigidContacts<D>::motion_in(Half half, std::size_t i) const {
+  const bool is_ahead =
+      half == Half::first && (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed);
+  return is_ahead ? integrator_.motion_at_half_step(i) : motion(i);
+}
+
 template <int D>
 void RigidContacts<D>::set_motions(Half half) {
   problem_.motions.resize(blocks_.slot_count());
-  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
-    const bool is_ahead =
-        half == Half::first && (search_.is_free(i) || blocks_.kind[i] == BlockKind::prescribed);
-    problem_.motions[i] = is_ahead ? integrator_.motion_at_half_step(i) : motion(i);
-  }
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] = motion_in(half, i);
 }
 
 template <int D>
@@ -393,6 +405,18 @@ void RigidContacts<D>::replace_known(double duration) {
   std::merge(known_.begin(), known_.end(), planned_.begin(), planned_.end(), std::back_inserter(next_known_),
              is_before<D>);
   known_.swap(next_known_);
+}
+
+template <int D>
+void RigidContacts<D>::note_pressed(PressedPair& pair) const {
+  const auto note = [&](const auto& contacts, double rate) {
+    for (const RigidContact<D>& at : contacts) pair.note(at.a, at.b, rate * at.normal_impulse());
+  };
+  if (planned_.empty()) {
+    if (duration_ > 0) note(known_, 2 / duration_);
+  } else {
+    note(planned_, changes().rate());
+  }
 }
 
 template <int D>

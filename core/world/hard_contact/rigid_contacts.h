@@ -2,6 +2,7 @@
 
 #include "world/hard_contact/impulse_rows.h"
 #include "world/hard_contact/impulse_solver.h"
+#include "world/hard_contact/jam.h"
 #include "world/ledger.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
@@ -51,7 +52,13 @@ class RigidContacts {
     search_.for_each_meeting(duration, visit);
   }
 
+  /// Of the coming motion, or of the last one where none is planned.
+  void note_pressed(PressedPair& pair) const;
+  /// After a solve that has not converged.
+  const std::optional<Jam>& jam() const { return jam_; }
+
   // The stages of a motion, as in HardContacts.
+  void begin() { jam_.reset(); }
   /// Finds the contacts of a motion predicted without impulses, with those of the last motion as a start.
   void find(double duration);
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
@@ -67,7 +74,8 @@ class RigidContacts {
   void find_impacts(double time, double duration);
   /// Sets the targets from the motion predicted without impulses.
   void set_gap_targets(double duration);
-  /// Solves from motions without impulses, and adds the changes of velocity. False when it does not converge.
+  /// Solves from motions without impulses, and adds the changes of velocity. False when it does not converge;
+  /// in a jam all impulses are none.
   bool solve(Half half, double duration);
   /// Adds the changes of velocity by its impulses.
   void push() const;
@@ -79,7 +87,7 @@ class RigidContacts {
   void set_motions(Half half);
   ImpulseProblem<D>& problem() { return problem_; }
   /// Copies the impulses of the problem to the contacts.
-  void take_impulses(const ImpulseResult& result);
+  void take_impulses(Half half, const ImpulseResult& result);
 
   void apply_position_impulses(EnergyLedger& ledger);
   /// Blocks that points hold do not recover from penetration: they would be moved into the others.
@@ -107,6 +115,7 @@ class RigidContacts {
   void warm_start(double duration);
   void add_other_changes();
   BlockMotion<D> motion(std::size_t slot) const;
+  BlockMotion<D> motion_in(Half half, std::size_t slot) const;
   double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);
@@ -121,6 +130,7 @@ class RigidContacts {
   ImpulseSolver<D> solver_;
   ImpulseProblem<D> problem_;
   SolverPause pause_;  // after the last motion
+  std::optional<Jam> jam_;
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;

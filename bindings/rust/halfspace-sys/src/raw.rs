@@ -40,6 +40,8 @@ pub const HS_ERROR_INTERNAL: hs_status = -8;
 pub const HS_ERROR_TOO_FAST: hs_status = -9;
 /// a mesh cell would be inverted
 pub const HS_ERROR_INVERTED: hs_status = -10;
+/// the host has interrupted the call
+pub const HS_ERROR_INTERRUPTED: hs_status = -11;
 
 // Contact types (Wang et al. 2021, section 2.5).
 /// separated: a violated potential contact pair or a separating plane proves it
@@ -333,6 +335,10 @@ pub type hs_context_def_release =
 /// function of the library.
 pub type hs_context_def_run_tasks =
     unsafe extern "C" fn(task: *mut hs_task, count: i32, scheduler: *mut c_void);
+/// Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided step,
+/// which may take long, and must call no function of the library.
+pub type hs_context_def_interrupt =
+    unsafe extern "C" fn(host: *mut c_void) -> i32;
 
 /// Points to read. Point i is (x\[i\], y\[i\], z\[i\]), each pointer advanced by i * stride bytes.
 #[repr(C)]
@@ -502,8 +508,13 @@ pub struct hs_context_def {
     pub run_tasks: Option<hs_context_def_run_tasks>,
     /// passed to run_tasks
     pub scheduler: *mut c_void,
+    /// Returns other than 0 to end a call early; default NULL. It is called between the parts of a divided
+    /// step, which may take long, and must call no function of the library.
+    pub interrupt: Option<hs_context_def_interrupt>,
+    /// passed to interrupt
+    pub host: *mut c_void,
 }
-const _: () = assert!(std::mem::size_of::<hs_context_def>() == 56);
+const _: () = assert!(std::mem::size_of::<hs_context_def>() == 72);
 
 /// First fault of an input.
 #[repr(C)]
@@ -2100,7 +2111,8 @@ extern "C" {
     /// - `steps`: number of steps, >= 0
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
-    /// HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST or HS_ERROR_INVERTED
+    /// HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED or
+    /// HS_ERROR_INTERRUPTED
     pub fn hs_world_step(world: *mut hs_world, steps: i64) -> hs_status;
 
     /// Returns time, time step, counts and energies. After a change of the world it detects contacts and

@@ -27,6 +27,8 @@ constants! {
         TooFast = HS_ERROR_TOO_FAST,
         /// a mesh cell would be inverted
         Inverted = HS_ERROR_INVERTED,
+        /// the host has interrupted the call
+        Interrupted = HS_ERROR_INTERRUPTED,
     }
 }
 

@@ -21,6 +21,7 @@ pub fn constant(name: &str) -> Option<i32> {
         "HS_ERROR_INTERNAL" => sys::HS_ERROR_INTERNAL,
         "HS_ERROR_TOO_FAST" => sys::HS_ERROR_TOO_FAST,
         "HS_ERROR_INVERTED" => sys::HS_ERROR_INVERTED,
+        "HS_ERROR_INTERRUPTED" => sys::HS_ERROR_INTERRUPTED,
         "HS_CONTACT_NONE" => sys::HS_CONTACT_NONE,
         "HS_CONTACT_VERTEX_VERTEX" => sys::HS_CONTACT_VERTEX_VERTEX,
         "HS_CONTACT_VERTEX_EDGE" => sys::HS_CONTACT_VERTEX_EDGE,
