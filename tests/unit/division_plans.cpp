@@ -226,6 +226,24 @@ TEST_CASE("boxes whose faces are flush, or come to be, are planned or not, and p
   CHECK(followed > 300);
 }
 
+TEST_CASE("cubes of a wall, whose front and back are flush, have a plan that is followed") {
+  const Shape<3> cube = shape_of(completed(box({1, 1, 1})));
+  for (const double along : {0.0, 0.25, 0.5}) {
+    for (const double turn : {0.0, 0.3}) {
+      PlannedPair pair(cube, cube);
+      const Rotation<3> turned = Rotation<3>().turned_by({0, 0, turn});
+      const Vector<3> at = turned * Vector<3>(along, 0, 1 - 1e-3);
+      pair.put(0, Vector<3>::Zero(), turned);
+      pair.put(1, at, turned);
+      check_same(pair.planned(), pair.found());
+      pair.put(1, at + turned * Vector<3>(along > 0 ? 1e-5 : 0, 0, 1e-5), turned);
+      const auto force = pair.followed();
+      REQUIRE(force);
+      check_same(*force, pair.found());
+    }
+  }
+}
+
 TEST_CASE("cubes that all but meet along a face, an edge or at a corner have a plan that is one, or none") {
   Random random(209);
   const Shape<3> cube = shape_of(completed(box({1, 1, 1})));

@@ -22,6 +22,17 @@ bool PlannedSolid::add_corner(int number, const Vector<3>& at, FaceSet first_sor
   return true;
 }
 
+/// Planes with the same corners are one, as where blocks are flush: drops all but the first.
+void PlannedSolid::merge_planes() {
+  for_each(met_[1], [&](int second) {
+    bool is_known = false;
+    for_each(met_[0], [&](int first) { is_known |= on_[0][first] == on_[1][second]; });
+    if (!is_known) return;
+    met_[1] &= ~face_set(std::size_t(second));
+    for (std::size_t c = 0; c < count_; ++c) planes_[c][1] &= ~face_set(std::size_t(second));
+  });
+}
+
 /// Corners that share two planes are connected by an edge. The top is the corner with the most edges, which
 /// gives the fewest tetrahedra.
 void PlannedSolid::find_edges() {

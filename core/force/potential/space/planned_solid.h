@@ -29,6 +29,7 @@ class PlannedSolid {
   /// normal. False when a facet is missing: each edge must have two, one on either side.
   template <class Outward>
   bool divide(Outward outward) {
+    merge_planes();
     find_edges();
     bool is_closed = true;
     for (int sort = 0; sort < 2; ++sort) {
@@ -48,6 +49,7 @@ class PlannedSolid {
  private:
   using CornerSet = std::uint64_t;
 
+  void merge_planes();
   void find_edges();
   bool add_facet(CornerSet corners, const Vector<3>& outward);
   bool add_edges(std::span<const std::size_t> loop);
