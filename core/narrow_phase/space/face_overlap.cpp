@@ -37,16 +37,22 @@ void take_piece(const FlatFace& face, int index, Piece& piece) {
   for (int i = from; i <= to; ++i) piece.add(face.corner(i));
 }
 
-/// Cuts a polygon by the sides of a piece; the two buffers alternate.
+/// Cuts a polygon by the sides of a piece that it crosses; the two buffers alternate.
 const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece& room) {
   Piece* kept = &polygon;
   Piece* next = &room;
   for (int i = 0; i < cutter.count && kept->count >= 3; ++i) {
     const int end = i + 1 == cutter.count ? 0 : i + 1;
     const HalfPlane side(cutter.corner[i], cutter.corner[end], rounding);
+    double height[2 * most_piece_corners], highest = -HUGE_VAL;
+    for (int k = 0; k < kept->count; ++k) {
+      height[k] = side.height(kept->corner[k]);
+      highest = std::max(highest, height[k]);
+    }
+    if (highest <= side.rounding) continue;
     next->count = 0;
     clip(
-        kept->corners(), [&](const Vector<2>& p) { return side.height(p); }, side.rounding,
+        kept->corners(), [&](const Vector<2>& p) { return height[&p - kept->corner]; }, side.rounding,
         [&](const Vector<2>& p) { next->add(p); });
     std::swap(kept, next);
   }

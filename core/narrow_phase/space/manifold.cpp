@@ -112,14 +112,15 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
   return describe_faces(a, b, to_b, pair, options, contact);
 }
 
-/// For contacts other than at a point. Not inlined, as it is rare.
+/// For contacts other than at a point, which the given pair has none of. Not inlined, as it is rare.
 [[gnu::noinline]] void describe_and_move(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                          PotentialPair<3>& pair, const DetectOptions& options,
                                          Contact<3>& contact) {
+  const PotentialPair<3> given = pair;
   if (pair.kind != PotentialPair<3>::edge_edge) refresh(a, b, to_b, pair);
   PotentialPair<3> last = pair;
   for (int moves = a.topology->edge_count + b.topology->edge_count;
-       describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no; --moves) {
+       pair == given || describe_plain_contact(a, b, to_b, pair, options, contact) == Plain::no; --moves) {
     const PotentialPair<3> next = describe_at(a, b, to_b, pair, options, contact);
     // For a vertex of separated blocks beyond the edge between two facets, both refer to each other: it
     // stays.

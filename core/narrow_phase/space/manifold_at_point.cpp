@@ -1,5 +1,6 @@
 #include "narrow_phase/space/manifold_at_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "narrow_phase/space/manifold_edges.h"
@@ -18,21 +19,31 @@ const Outline<3>& in_itself(const SeenOutline& block) { return block.unturned();
 const Vector<3>& in_frame_of(const Outline<3>&, const Vector<3>& v) { return v; }
 Vector<3> in_frame_of(const SeenOutline& block, const Vector<3>& v) { return block.in_own_frame(v); }
 
-/// Are all edges at a vertex steeper than the region angle over the plane with a given normal? Then so are
-/// the faces between them. With a margin far above rounding.
+/// How far the part of a block that can have a region reaches behind a plane with a given normal, from a
+/// vertex at a given gap; squared. 0 where all edges at the vertex are steeper than the region angle, as then
+/// the faces between them are. Beyond the parallel angle edges and faces leave the plane before their region
+/// has more overlapping points than the vertex, unless their other ends overlap, too: then, and along the
+/// plane, HUGE_VAL. With margins far above rounding.
 template <class Block>
-bool rises_steeply(const Block& block, int vertex, const Vector<3>& normal, double region_angle) {
+double squared_reach(const Block& block, int vertex, const Vector<3>& normal, double gap,
+                     const DetectOptions& options) {
   const Outline<3>& own = in_itself(block);
   const Topology& topology = *own.topology;
   const Vector<3>& upward = in_frame_of(block, normal);
   const Vector<3> from = own.vertex(vertex);
-  const double steep = 1.001 * region_angle * region_angle;
+  constexpr double margin = 1.001;
+  const double steep = margin * options.region_angle() * options.region_angle();
+  const double tilted = margin * options.parallel_angle * options.parallel_angle;
+  const double depth = margin * std::max(-gap, 0.0);
+  double reach = 0;
   for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
     const Vector<3> along = own.vertex(topology.vertex_neighbour[k]) - from;
-    const double climb = upward.dot(along);
-    if (climb * std::abs(climb) <= steep * along.squaredNorm()) return false;
+    const double climb = upward.dot(along), square = climb * std::abs(climb), length = along.squaredNorm();
+    if (square > steep * length) continue;
+    if (square <= tilted * length || climb <= depth) return HUGE_VAL;
+    reach = std::max(reach, depth * depth * length / square);
   }
-  return true;
+  return reach;
 }
 
 /// The places of two points in a face's plane.
@@ -41,10 +52,11 @@ struct PlacesOnFace {
   bool is_other_on_face;
 };
 
-/// Is `point` inside the face by more than the zone of its border, with a margin, and is `other` on the face?
+/// Is `point` inside the face by more than the zone of its border, with a margin, and by more than a
+/// distance, given squared? Is `other` on the face?
 template <class Block>
 PlacesOnFace places_on_face(const Block& block, int face, const Vector<3>& point, const Vector<3>& other,
-                            double vertex_zone) {
+                            double vertex_zone, double reach) {
   const Outline<3>& own = in_itself(block);
   const Topology& topology = *own.topology;
   const Vector<3> normal = own.normal(face);
@@ -55,7 +67,8 @@ PlacesOnFace places_on_face(const Block& block, int face, const Vector<3>& point
   for (int k = first; k < end; ++k) {
     const Vector<3> to = own.vertex(topology.face_vertex[k]), along = to - from;
     const Vector<3> inward = cross_product(normal, along);  // its length is that of the edge
-    if (inward.dot(p - from) <= 2 * vertex_zone * along.squaredNorm()) return {false, false};
+    const double inside = inward.dot(p - from), square = along.squaredNorm();
+    if (inside <= 2 * vertex_zone * square || inside * inside < reach * square) return {false, false};
     is_other_on_face &= inward.dot(q - from) >= 0;
     from = to;
   }
@@ -71,12 +84,13 @@ Plain describe_vertex_inside_face(const Block& a, const Block& b, const Vector<3
   const int face = is_of_a ? pair.a : pair.b, vertex = is_of_a ? pair.b : pair.a;
   const double sense = is_of_a ? 1 : -1;
   const FaceVertex<Block> f{owner, other, sense * to_b, face, vertex};
-  if (!rises_steeply(other, vertex, f.normal, options.region_angle())) return Plain::no;
+  const double reach = squared_reach(other, vertex, f.normal, f.gap, options);
+  if (reach == HUGE_VAL) return Plain::no;
   // The line from the vertex parallel to that between the centroids: see edges_cross().
   const double rise = f.normal.dot(f.to_other);
   const double back = rise > 0 ? f.gap / rise : 0;
   const Vector<3> pierced = (f.position + f.to_other) - back * f.to_other;
-  const PlacesOnFace places = places_on_face(owner, face, f.foot, pierced, options.vertex_zone);
+  const PlacesOnFace places = places_on_face(owner, face, f.foot, pierced, options.vertex_zone, reach);
   if (!places.is_well_inside) return Plain::no;
   contact.normal = sense * f.normal;
   contact.gap = f.gap;

@@ -65,10 +65,12 @@ FacingFace facing_face(const FlatFaceVertex& f, double angle) {
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const int face = topology.vertex_face[k];
     const Vector<3> normal = f.other.normal(face);
+    const double cosine = -normal.dot(f.normal);
+    if (cosine <= 0) continue;
     FacingFace found;
     found.sine = cross_product(normal, f.normal).norm();
-    if (normal.dot(f.normal) >= 0 || found.sine >= angle) continue;
-    found.slope = f.plane.in_plane(normal) / -normal.dot(f.normal);
+    if (found.sine >= angle) continue;
+    found.slope = f.plane.in_plane(normal) / cosine;
     found.overlap =
         overlap_of(FlatFace(f.plane, f.other, face, f.to_other), f.polygon, found.slope, rounding);
     if (!found.is_there()) continue;
@@ -225,17 +227,20 @@ bool bears_tilted(const Contact<3>& contact, int points, const DetectOptions& op
          options.outlasts(reach_from_deepest(contact), -contact.gap);
 }
 
-/// Describes the region of a face with a nearly parallel face, or else edge, of the other block at the
-/// vertex. Beyond the parallel angle it needs more overlapping points than an edge or a vertex has. False if
-/// there is none.
-bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const DetectOptions& options,
-                     Contact<3>& contact) {
+/// Describes the region of a face with a nearly parallel face of the other block at the vertex. Beyond the
+/// parallel angle it needs more overlapping points than an edge has. False if there is none.
+bool describe_region_of_face(const FlatFaceVertex& f, const DetectOptions& options, Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
-  if (const FacingFace face = facing_face(f, options.region_angle()); face.is_there()) {
-    describe_face_face(f, face, contact);
-    if (face.sine < options.parallel_angle || bears_tilted(contact, 2, options)) return true;
-  }
+  const FacingFace face = facing_face(f, options.region_angle());
+  if (!face.is_there()) return false;
+  describe_face_face(f, face, contact);
+  return face.sine < options.parallel_angle || bears_tilted(contact, 2, options);
+}
+
+/// The same for an edge, which needs more overlapping points than a vertex has.
+bool describe_region_of_edge(const FlatFaceVertex& f, const FacingNeighbour& edge,
+                             const DetectOptions& options, Contact<3>& contact) {
   if (edge.sine < options.region_angle() && describe_edge_face(f, edge.far_vertex, contact)) {
     if (edge.sine < options.parallel_angle || bears_tilted(contact, 1, options)) return true;
   }
@@ -248,15 +253,17 @@ bool describe_region(const FlatFaceVertex& f, const FacingNeighbour& edge, const
 bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                           const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
-  return describe_region(f, facing_edge(f), options, contact);
+  return describe_region_of_face(f, options, contact) ||
+         describe_region_of_edge(f, facing_edge(f), options, contact);
 }
 
 PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
+  if (describe_region_of_face(f, options, contact)) return pair;
   const FacingNeighbour edge = facing_edge(f);
-  if (describe_region(f, edge, options, contact)) return pair;
+  if (describe_region_of_edge(f, edge, options, contact)) return pair;
 
   const double facing_length = (b.vertex(edge.far_vertex) - f.position).norm();
   const Place place = place_of_foot(f, facing_length, options);

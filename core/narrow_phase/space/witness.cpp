@@ -14,7 +14,7 @@ namespace {
 /// Is a height along a unit normal above rounding? A quotient by a smaller height is meaningless or
 /// overflows.
 bool is_told_from_0(double height, const Vector<3>& way) {
-  return height > std::ldexp(way.cwiseAbs().maxCoeff(), -52);
+  return height > 0x1p-52 * way.cwiseAbs().maxCoeff();
 }
 
 /// Does the line through the other's vertex, parallel to that between the centroids, meet the face in front
