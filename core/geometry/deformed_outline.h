@@ -4,6 +4,7 @@
 
 #include "geometry/outline.h"
 #include "geometry/vector.h"
+#include "simd/four_lanes.h"
 
 namespace halfspace {
 
@@ -19,12 +20,18 @@ inline void map_vectors(const Tensor<2>& map, const double* own, std::size_t cou
 }
 
 inline void map_vectors(const Tensor<3>& map, const double* own, std::size_t count, double* mapped) {
-  const double *x = own, *y = own + count, *z = own + 2 * count;
-  for (int k = 0; k < 3; ++k) {
-    double* out = mapped + std::size_t(k) * count;
-    const double of_x = map(k, 0), of_y = map(k, 1), of_z = map(k, 2);
-    for (std::size_t i = 0; i < count; ++i) out[i] = of_x * x[i] + of_y * y[i] + of_z * z[i];
-  }
+  with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    Four columns[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) columns[i][k] = all_four<Four>(map(k, i));
+    const auto& [of_x, of_y, of_z] = columns;
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Four x = load_four<Four>(own + i), y = load_four<Four>(own + count + i),
+                 z = load_four<Four>(own + 2 * count + i);
+      for (std::size_t k = 0; k < 3; ++k)
+        store_four(mapped + k * count + i, of_x[k] * x + of_y[k] * y + of_z[k] * z);
+    }
+  });
 }
 
 /// The number of doubles of an outline: x, y, nx, ny, offset, or x, y, z, nx, ny, nz, offset, each padded.
