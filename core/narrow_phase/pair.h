@@ -38,8 +38,25 @@ inline PotentialPair<2> initial_pair(const Outline<2>&, const Outline<2>&, const
   return witness.pair;
 }
 
-/// In 2D a search is as fast as a proof of contact.
-inline bool still_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&, PairCache<2>&) {
+/// Does the line through a vertex behind the cached pair's edge, parallel to that between the centroids, meet
+/// the edge? Then the blocks overlap, as in 3D (space/witness.cpp). Of parallel edges the other vertex may be
+/// the one that proves it. Updates the vertex.
+inline bool still_touching(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                           PairCache<2>& witness) {
+  if (witness.state != PairCache<2>::touching) return false;
+  refresh(a, b, to_b, witness.pair);
+  const Owner owner(a, b, witness.pair);
+  const int edge = witness.pair.edge, deepest = witness.pair.vertex;
+  const Vector<2> normal = owner.block.normal(edge), to_other = owner.sign * to_b;
+  const Vector<2> start = owner.block.vertex(edge), end = owner.block.vertex(owner.block.next(edge));
+  const double rise = normal.dot(to_other);
+  if (!(rise > 0x1p-52 * to_other.cwiseAbs().maxCoeff())) return false;
+  for (const int v : {deepest, owner.other.next(deepest), owner.other.previous(deepest)}) {
+    const double depth = -edge_gap(owner.block, edge, owner.other, v, to_other);
+    const Vector<2> on_edge = owner.other.vertex(v) + (1 + depth / rise) * to_other;
+    if (depth >= 0 && (on_edge - start).dot(end - start) >= 0 && (end - on_edge).dot(end - start) >= 0)
+      return true;
+  }
   return false;
 }
 inline bool describe_plainly_touching(const Outline<2>&, const Outline<2>&, const Vector<2>&,
