@@ -192,9 +192,8 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
 
 /// The normal part, with the shear part limited by friction and bond.
 template <int D>
-[[gnu::always_inline]] inline PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial,
-                                                          const Vector<D>& direction, ShearSpring<D>& spring,
-                                                          bool bonded, ContactEnergy& energy) const {
+PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
+                            ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const {
   PairLoad<D> load;
   load.contact = {normal.force * direction, normal.center, normal.couple};
   load.normal = direction;

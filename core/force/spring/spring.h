@@ -104,14 +104,17 @@ class Spring {
     Shear<D> force = Shear<D>::Zero();
   };
 
-  NormalPart normal_part(const Contact<D>& contact, const PointSprings<D>& springs,
-                         const PairMotion<D>& motion, bool bonded, ContactEnergy& energy) const;
+  [[gnu::always_inline]] inline NormalPart normal_part(const Contact<D>& contact,
+                                                       const PointSprings<D>& springs,
+                                                       const PairMotion<D>& motion, bool bonded,
+                                                       ContactEnergy& energy) const;
   NormalPart normal_part(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
                          bool bonded, ContactEnergy& energy) const;
   void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
             NormalPart& normal) const;
-  ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction, const PairMotion<D>& motion,
-                         const ShearSpring<D>& spring) const;
+  [[gnu::always_inline]] inline ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction,
+                                                       const PairMotion<D>& motion,
+                                                       const ShearSpring<D>& spring) const;
   /// The stiffness of all springs of the base together.
   double whole_stiffness(double stiffness, const NormalPart& normal) const {
     return law_.stiffness_kind == StiffnessKind::per_area ? stiffness * normal.base : stiffness;
@@ -119,10 +122,12 @@ class Spring {
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
   bool is_torn(const NormalPart& normal) const;
-  ShearPart shear_force(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                        ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
-  PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial, const Vector<D>& direction,
-                   ShearSpring<D>& spring, bool bonded, ContactEnergy& energy) const;
+  [[gnu::always_inline]] inline ShearPart shear_force(const NormalPart& normal, const ShearTrial& trial,
+                                                      const Vector<D>& direction, ShearSpring<D>& spring,
+                                                      bool bonded, ContactEnergy& energy) const;
+  [[gnu::always_inline]] inline PairLoad<D> load(const NormalPart& normal, const ShearTrial& trial,
+                                                 const Vector<D>& direction, ShearSpring<D>& spring,
+                                                 bool bonded, ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
 
   const ContactLaw& law_;

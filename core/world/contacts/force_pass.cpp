@@ -37,8 +37,7 @@ typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) const {
 
 /// The relative motion of the blocks of a pair.
 template <int D>
-[[gnu::always_inline]] inline PairMotion<D> ForcePass<D>::motion_of(const Candidate<D>& pair,
-                                                                    Evaluation& evaluation) const {
+PairMotion<D> ForcePass<D>::motion_of(const Candidate<D>& pair, Evaluation& evaluation) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        blocks_.spin[a], blocks_.spin[b]};
@@ -59,9 +58,9 @@ const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b
 
 /// The load of a contact by a spring law.
 template <int D>
-[[gnu::always_inline]] inline PairLoad<D> ForcePass<D>::spring_load(
-    Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law, const Spring<D>& spring,
-    ShearSpring<D>& shear, Evaluation& evaluation) const {
+PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law,
+                                      const Spring<D>& spring, ShearSpring<D>& shear,
+                                      Evaluation& evaluation) const {
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   bool bonded = pair.bonded;
   const auto evaluate = [&](const auto& base) {

@@ -122,10 +122,12 @@ class ForcePass {
     Tensor<D> of_dashpots_on_b = Tensor<D>::Zero();
   };
 
-  PairMotion<D> motion_of(const Candidate<D>& pair, Evaluation& evaluation) const;
+  [[gnu::always_inline]] inline PairMotion<D> motion_of(const Candidate<D>& pair,
+                                                        Evaluation& evaluation) const;
   const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
-  PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law,
-                          const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation) const;
+  [[gnu::always_inline]] inline PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact,
+                                                        const ContactLaw& law, const Spring<D>& spring,
+                                                        ShearSpring<D>& shear, Evaluation& evaluation) const;
   std::optional<PotentialForce<D>> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
                                                      const Evaluation& evaluation);
   std::optional<PairLoad<D>> potential_load(Candidate<D>& pair, const ContactLaw& law,

@@ -8,27 +8,6 @@
 
 namespace halfspace {
 
-template <int D>
-typename Integrator<D>::BlockLoad Integrator<D>::load_on(std::size_t i) const {
-  BlockLoad load{blocks_.force[i] + blocks_.applied_force[i] + blocks_.mass[i] * settings_.gravity,
-                 blocks_.torque[i] + blocks_.applied_torque[i]};
-  if (!model_.actions.empty()) {
-    load.force += blocks_.mass[i] * model_.actions.acceleration();
-    if (const auto* target = model_.actions.target_of(i)) {
-      load.force += target->force;
-      load.torque += target->torque;
-    }
-  }
-  return load;
-}
-
-template <int D>
-typename Integrator<D>::BlockLoad Integrator<D>::reaction(std::size_t i) const {
-  if (reaction_.empty()) return {Vector<D>::Zero(), Angular<D>::Zero()};
-  const double rate = reaction_.rate();
-  return {rate * blocks_.mass[i] * reaction_.of_block(i), rate * reaction_.momentum(i)};
-}
-
 /// Newton's law with local damping (Cundall's, against each component of the velocity) and mass-proportional
 /// damping.
 template <int D>
@@ -60,9 +39,8 @@ void Integrator<D>::accelerate(std::size_t i) {
 /// which damping was computed. Forced inline, because a call would pass the sums through memory for each
 /// block.
 template <int D>
-[[gnu::always_inline]] inline void Integrator<D>::sample_energy(std::size_t i, const Vector<D>& opposed,
-                                                                const Angular<D>& opposed_spin,
-                                                                EnergySample& sample) const {
+void Integrator<D>::sample_energy(std::size_t i, const Vector<D>& opposed, const Angular<D>& opposed_spin,
+                                  EnergySample& sample) const {
   const Vector<D>& velocity = blocks_.velocity[i];
   const Angular<D>& spin = blocks_.spin[i];
   sample.power.contact_damping += forces_.dashpot_power(i);
@@ -287,24 +265,19 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
   sample_energy(i, middle_velocity, middle_spin, sample);
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                   \
-  template typename Integrator<D>::BlockLoad Integrator<D>::load_on(std::size_t) const;        \
-  template typename Integrator<D>::BlockLoad Integrator<D>::reaction(std::size_t) const;       \
-  template void Integrator<D>::accelerate_rigid(std::size_t);                                  \
-  template void Integrator<D>::accelerate(std::size_t);                                        \
-  template void Integrator<D>::sample_energy(std::size_t, const Vector<D>&, const Angular<D>&, \
-                                             EnergySample&) const;                             \
-  template void Integrator<D>::look_what_moves();                                              \
-  template EnergySample Integrator<D>::begin(double, double&);                                 \
-  template void Integrator<D>::follow_velocities();                                            \
-  template Vector<D> Integrator<D>::acceleration_of(const MaterialPoint<D>&) const;            \
-  template void Integrator<D>::kick_and_drift();                                               \
-  template EnergySample Integrator<D>::kick();                                                 \
-  template void Integrator<D>::take_kicks(EnergySample&);                                      \
-  template void Integrator<D>::take_kick(std::size_t, EnergySample&);                          \
-  template void Integrator<D>::kick_asleep(std::size_t, EnergySample&) const;                  \
-  template SpeedBound Integrator<D>::speed_bound_of(std::size_t) const;                        \
-  template SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t) const;          \
+#define HALFSPACE_MEMBERS(D)                                                          \
+  template void Integrator<D>::accelerate(std::size_t);                               \
+  template void Integrator<D>::look_what_moves();                                     \
+  template EnergySample Integrator<D>::begin(double, double&);                        \
+  template void Integrator<D>::follow_velocities();                                   \
+  template Vector<D> Integrator<D>::acceleration_of(const MaterialPoint<D>&) const;   \
+  template void Integrator<D>::kick_and_drift();                                      \
+  template EnergySample Integrator<D>::kick();                                        \
+  template void Integrator<D>::take_kicks(EnergySample&);                             \
+  template void Integrator<D>::take_kick(std::size_t, EnergySample&);                 \
+  template void Integrator<D>::kick_asleep(std::size_t, EnergySample&) const;         \
+  template SpeedBound Integrator<D>::speed_bound_of(std::size_t) const;               \
+  template SpeedBound Integrator<D>::speed_bound_with_impulses_of(std::size_t) const; \
   template void Integrator<D>::kick(std::size_t, EnergySample&);
 
 HALFSPACE_MEMBERS(2)

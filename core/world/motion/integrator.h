@@ -106,7 +106,11 @@ class Integrator {
     Angular<D> torque;
   };
   /// The constraint forces equivalent to the impulses at the end of the last motion.
-  BlockLoad reaction(std::size_t block) const;
+  BlockLoad reaction(std::size_t block) const {
+    if (reaction_.empty()) return {Vector<D>::Zero(), Angular<D>::Zero()};
+    const double rate = reaction_.rate();
+    return {rate * blocks_.mass[block] * reaction_.of_block(block), rate * reaction_.momentum(block)};
+  }
   Tensor<D> strain_reaction(std::size_t block) const;
   Vector<D> reaction_on_node(std::size_t node) const { return meshes_.reaction(node); }
   Vector<D> load_of_actions_on_node(std::size_t node) const { return meshes_.load_of_actions(node); }
@@ -190,9 +194,20 @@ class Integrator {
                    });
   }
   /// The load on a block, before damping.
-  BlockLoad load_on(std::size_t block) const;
+  BlockLoad load_on(std::size_t block) const {
+    BlockLoad load{
+        blocks_.force[block] + blocks_.applied_force[block] + blocks_.mass[block] * settings_.gravity,
+        blocks_.torque[block] + blocks_.applied_torque[block]};
+    if (model_.actions.empty()) return load;
+    load.force += blocks_.mass[block] * model_.actions.acceleration();
+    if (const auto* target = model_.actions.target_of(block)) {
+      load.force += target->force;
+      load.torque += target->torque;
+    }
+    return load;
+  }
   void take_kick(std::size_t block, EnergySample& sample);
-  void accelerate_rigid(std::size_t block);
+  [[gnu::always_inline]] inline void accelerate_rigid(std::size_t block);
   bool predict_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
   bool predict_motion_of(std::size_t block, Plan& plan);
   bool predict_parts(Plan& plan);
@@ -201,8 +216,9 @@ class Integrator {
   void follow_velocities();
   void kick(std::size_t block, EnergySample& sample);
   void kick_asleep(std::size_t block, EnergySample& sample) const;
-  void sample_energy(std::size_t block, const Vector<D>& opposed, const Angular<D>& opposed_spin,
-                     EnergySample& sample) const;
+  [[gnu::always_inline]] inline void sample_energy(std::size_t block, const Vector<D>& opposed,
+                                                   const Angular<D>& opposed_spin,
+                                                   EnergySample& sample) const;
 
   // For affine blocks, in integrator_affine.cpp.
   Vector<D> affine_load(std::size_t block) const;
