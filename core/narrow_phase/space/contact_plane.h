@@ -35,8 +35,8 @@ struct PlaneFrame {
   }
 };
 
-/// A face projected along the normal of a plane to which it is nearly parallel. Its corners are computed on
-/// demand, so that their number is not limited.
+/// A face projected along the normal of a plane to which it is nearly parallel. The corners of large faces
+/// are computed on demand, so that their number is not limited.
 class FlatFace {
  public:
   FlatFace(const PlaneFrame& plane, const SeenOutline& block, int face, const Vector<3>& to_block)
@@ -45,24 +45,31 @@ class FlatFace {
         shift_(to_block),
         first_(block.topology->first_of_face[face]),
         count_(block.topology->first_of_face[face + 1] - first_),
-        is_opposed_(block.normal(face).dot(plane.normal) < 0) {}
+        is_opposed_(block.normal(face).dot(plane.normal) < 0) {
+    for (int i = 0; i < std::min(count_, most_known_corners); ++i) corner_[i] = projected_corner(i);
+  }
 
   int count() const { return count_; }
   int next(int i) const { return i + 1 == count_ ? 0 : i + 1; }
   /// Counter-clockwise about the plane's normal.
-  Vector<2> corner(int i) const { return plane_.foot_of(block_.vertex(vertex(i)) + shift_); }
+  Vector<2> corner(int i) const { return i < most_known_corners ? corner_[i] : projected_corner(i); }
   /// The index of the corner among the block's vertices.
   int vertex(int i) const {
     return block_.topology->face_vertex[first_ + (is_opposed_ ? count_ - 1 - i : i)];
   }
 
  private:
+  static constexpr int most_known_corners = 32;
+
+  Vector<2> projected_corner(int i) const { return plane_.foot_of(block_.vertex(vertex(i)) + shift_); }
+
   const PlaneFrame& plane_;
   const SeenOutline& block_;
   Vector<3> shift_;
   int first_;
   int count_;
   bool is_opposed_;
+  Vector<2> corner_[most_known_corners];
 };
 
 /// The half-plane left of a line through two points, in coordinates on a plane. Points within rounding of the

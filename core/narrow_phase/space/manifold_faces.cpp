@@ -21,7 +21,10 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
   FlatFaceVertex& operator=(const FlatFaceVertex&) = delete;
 
   /// Rounding error of points near the face in its plane: a few ulps of the subtracted coordinates.
-  double rounding() const {
+  double rounding = rounding_of_points();
+
+ private:
+  double rounding_of_points() const {
     double reach = to_other.cwiseAbs().maxCoeff();
     for (int i = 0; i < polygon.count(); ++i)
       reach = std::max(reach, owner.vertex(polygon.vertex(i)).cwiseAbs().maxCoeff());
@@ -60,7 +63,6 @@ struct FacingFace {
 /// one most nearly parallel. The angle alone could select a face of far smaller depth.
 FacingFace facing_face(const FlatFaceVertex& f, double angle) {
   const Topology& topology = *f.other.topology;
-  const double rounding = f.rounding();
   FacingFace best;
   for (int k = topology.first_of_vertex[f.vertex]; k < topology.first_of_vertex[f.vertex + 1]; ++k) {
     const int face = topology.vertex_face[k];
@@ -72,10 +74,10 @@ FacingFace facing_face(const FlatFaceVertex& f, double angle) {
     if (found.sine >= angle) continue;
     found.slope = f.plane.in_plane(normal) / cosine;
     found.overlap =
-        overlap_of(FlatFace(f.plane, f.other, face, f.to_other), f.polygon, found.slope, rounding);
+        overlap_of(FlatFace(f.plane, f.other, face, f.to_other), f.polygon, found.slope, f.rounding);
     if (!found.is_there()) continue;
     const double deeper = best.overlap.lowest - found.overlap.lowest;
-    if (!best.is_there() || deeper > rounding || (deeper >= -rounding && found.sine < best.sine))
+    if (!best.is_there() || deeper > f.rounding || (deeper >= -f.rounding && found.sine < best.sine))
       best = found;
   }
   return best;
@@ -100,7 +102,7 @@ void describe_face_face(const FlatFaceVertex& f, const FacingFace& facing, Conta
 bool describe_edge_face(const FlatFaceVertex& f, int far_vertex, Contact<3>& contact) {
   const Vector<3> along = f.other.vertex(far_vertex) - f.position;
   const Vector<2> end = f.plane.in_plane(along);
-  const SegmentPart part = part_over(f.polygon, Vector<2>::Zero(), end, f.rounding());
+  const SegmentPart part = part_over(f.polygon, Vector<2>::Zero(), end, f.rounding);
   if (part.from >= part.to) return false;
   const double climb = f.normal.dot(along);
   contact.type = ContactType::edge_face;
