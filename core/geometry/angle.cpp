@@ -120,19 +120,29 @@ constexpr Precise angle_of_eighths[] = {{0, 0},
                                         {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
                                         {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
 
+/// The nearest eighth of a slope rise / run from 0 to 1; 0 of any other, such as NaN.
+int eighths_of_slope(double rise, double run) {
+  const double ratio = 8 * rise / run;
+  return ratio >= 0 && ratio <= 8 ? int(ratio + 0.5) : 0;
+}
+
+/// The difference of an angle up to 1/16 rad from its tangent.
+double bend(double t) {
+  const double q = t * t;
+  constexpr double t3 = 1 / 3.0, t5 = 1 / 5.0, t7 = 1 / 7.0, t9 = 1 / 9.0, t11 = 1 / 11.0, t13 = 1 / 13.0;
+  return t * q * (t3 - q * (t5 - q * (t7 - q * (t9 - q * (t11 - q * t13)))));
+}
+
 /// Requires a slope rise / run from 0 to 1. The angle of any other, such as NaN, means nothing.
 Precise angle_of_slope(double rise, double run) {
-  const double ratio = 8 * rise / run;
-  const int eighths = ratio >= 0 && ratio <= 8 ? int(ratio + 0.5) : 0;
+  const int eighths = eighths_of_slope(rise, run);
   const Precise slope = {eighths / 8.0, 0}, negative_slope = {-eighths / 8.0, 0};
   const Precise further =
       (Precise{rise, 0} - slope * Precise{run, 0}) / (Precise{run, 0} - negative_slope * Precise{rise, 0});
-  const double t = further.high, q = t * t;
-  constexpr double t3 = 1 / 3.0, t5 = 1 / 5.0, t7 = 1 / 7.0, t9 = 1 / 9.0, t11 = 1 / 11.0, t13 = 1 / 13.0;
-  const double bent = t * q * (t3 - q * (t5 - q * (t7 - q * (t9 - q * (t11 - q * t13)))));
+  const double t = further.high;
   const Precise& first = angle_of_eighths[eighths];
   const Precise both = eighths ? sum(first.high, t) : Precise{t, 0};
-  return {both.high, both.low + (first.low + (further.low - bent))};
+  return {both.high, both.low + (first.low + (further.low - bend(t)))};
 }
 
 }  // namespace
@@ -154,6 +164,15 @@ double angle_at(double x, double y) {
   if (rise > run) angle = quarter_turn - angle;
   if (std::signbit(x)) angle = Precise{2 * quarter_turn.high, 2 * quarter_turn.low} - angle;
   return std::copysign(rounded(angle), y);
+}
+
+double quick_angle_at(double x, double y) {
+  const double width = std::abs(x), run = std::max(width, y), rise = std::min(width, y);
+  const int eighths = eighths_of_slope(rise, run);
+  const double slope = eighths / 8.0, t = (rise - slope * run) / (run + slope * rise);
+  double angle = angle_of_eighths[eighths].high + (t - bend(t));
+  if (y > width) angle = quarter_turn.high - angle;
+  return x < 0 ? 2 * quarter_turn.high - angle : angle;
 }
 
 }  // namespace halfspace

@@ -37,4 +37,7 @@ double tangent_of(double angle);
 /// neither overflow nor underflow.
 double angle_at(double x, double y);
 
+/// The same where y >= 0, with an error below 3 ulp, in a quarter of the instructions.
+double quick_angle_at(double x, double y);
+
 }  // namespace halfspace

@@ -108,6 +108,15 @@ TEST_CASE("the angle of a vector") {
         std::max(most, units_off(angle_at(cosine, sine), std::atan2((long double)sine, (long double)cosine)));
   }
   CHECK(most < 0.6);
+  most = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double x = numbers.of_any_size(-40, 40), y = std::abs(numbers.of_any_size(-40, 40));
+    const auto [cosine, sine] = cosine_and_sine_of(numbers.between(0, pi));
+    most = std::max(
+        {most, units_off(quick_angle_at(x, y), std::atan2((long double)y, (long double)x)),
+         units_off(quick_angle_at(cosine, sine), std::atan2((long double)sine, (long double)cosine))});
+  }
+  CHECK(most < 3);
   for (const double x : {1.0, -1.0, 0.0, -0.0})
     for (const double y : {1.0, -1.0, 0.0, -0.0})
       if (x != 0 || y != 0) {

@@ -12,7 +12,7 @@ constexpr double square_corner = 0.25;
 
 /// 0 where the direction is lost by rounding or overflow.
 double part_of_whole_turn(double cosine, double sine) {
-  return cosine * cosine + sine * sine > 0 ? angle_at(cosine, sine) / (2 * std::numbers::pi) : 0;
+  return cosine * cosine + sine * sine > 0 ? quick_angle_at(cosine, sine) * (0.5 / std::numbers::pi) : 0;
 }
 
 /// The exterior angle between two directions, divided by 2 pi. A corner made concave by rounding counts as
@@ -51,7 +51,7 @@ void share_by_turns(const Contact<3>& contact, PointSprings<3>& springs) {
     before = after;
   }
   // A region smaller than rounding may have all corners in one point.
-  for (int i = 0; i < count; ++i) springs.part[i] = sum > 0 ? springs.part[i] / sum : 1.0 / count;
+  for (int i = 0; i < count; ++i) springs.part[i] = sum > 0 ? springs.part[i] * (1 / sum) : 1.0 / count;
 }
 
 /// The block that touches the contact plane with a vertex, or with an edge from that vertex.
@@ -137,11 +137,13 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
   return springs;
 }
 
-double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* share) {
-  double squared = 0;
-  for (int i = 0; i < contact.point_count; ++i)
-    squared += share[i] * (contact.points[i] - center).squaredNorm();
-  return std::sqrt(squared);
+double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* weight) {
+  double all = 0, squared = 0;
+  for (int i = 0; i < contact.point_count; ++i) {
+    all += weight[i];
+    squared += weight[i] * (contact.points[i] - center).squaredNorm();
+  }
+  return std::sqrt(squared / all);
 }
 
 }  // namespace halfspace

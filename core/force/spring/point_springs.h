@@ -33,9 +33,9 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }
 
-/// Radius of gyration of the springs' forces about the normal through their centre. `share` is the fraction
-/// of the force at each point, with a sum of 1.
+/// Radius of gyration of the springs' forces about the normal through their centre. `weight`: the forces at
+/// the points, or their parts of the stiffness.
 inline double twist_radius(const Contact<2>&, const Vector<2>&, const double*) { return 0; }
-double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* share);
+double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* weight);
 
 }  // namespace halfspace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <type_traits>
 
 #include "force/spring/joint_face.h"
@@ -27,6 +26,13 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
   double force_at[most_points] = {};
   const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
+  // The opening velocity is linear over the contact plane. In 2D its slope is of no use for two points.
+  double opening_at_first = 0;
+  Vector<D> slope = Vector<D>::Zero();
+  if (D == 3 && law_.normal_damping > 0) {
+    opening_at_first = contact.normal.dot(motion.relative_at(contact.points[0]));
+    slope = motion.opening_slope(contact.normal);
+  }
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
@@ -34,7 +40,9 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     const double elastic = stiffness * depth;
     double viscous = 0;
     if (law_.normal_damping > 0) {
-      const double opening = contact.normal.dot(motion.relative_at(contact.points[i]));
+      const Vector<D>& p = contact.points[i];
+      const double opening = D == 2 ? contact.normal.dot(motion.relative_at(p))
+                                    : opening_at_first + slope.dot(p - contact.points[0]);
       viscous = -springs.part[i] * viscosity_of_all * opening;
       if (!bonded) viscous = std::max(viscous, -elastic);  // no tension by a dashpot
       normal.viscous_force += viscous;
@@ -58,12 +66,8 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
     normal.viscous_couple = moment(moment_arm, contact.normal);
   }
-  if (D == 3 && contact.point_count > 1) {
-    const double all_parts = std::accumulate(springs.part, springs.part + contact.point_count, 0.0);
-    for (int i = 0; i < contact.point_count; ++i)
-      force_at[i] = has_center ? force_at[i] / normal.force : springs.part[i] / all_parts;
-    normal.twist_radius = twist_radius(contact, normal.center, force_at);
-  }
+  if (D == 3 && contact.point_count > 1)
+    normal.twist_radius = twist_radius(contact, normal.center, has_center ? force_at : springs.part);
   return normal;
 }
 
