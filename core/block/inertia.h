@@ -46,6 +46,12 @@ struct Inertia<3> {
   Vector<3> moments = Vector<3>::Zero();  // principal
   Rotation<3> axes;                       // of the principal moments, in the frame of the shape
 
+  /// Are all moments the same, to rounding, as those of a cube? Then each axis is a principal one.
+  bool is_spherical() const {
+    const double largest = moments.maxCoeff();
+    return largest - moments.minCoeff() <= 0x1p-44 * largest;
+  }
+
   static Inertia of(const Shape<3>& shape, double density);
   static Inertia of(const InertiaTensor<3>& tensor);
 

@@ -151,7 +151,7 @@ class Rotation<3> {
   }
 
   /// Rotates about the image of axis k, without normalization: see straightened().
-  void turn_about_own_axis(int k, double angle) {
+  [[gnu::always_inline]] void turn_about_own_axis(int k, double angle) {
     const auto [c, s] = cosine_and_sine_of(angle);
     Vector<3>&first = columns_[(k + 1) % 3], &second = columns_[(k + 2) % 3];
     const Vector<3> turned = c * first + s * second;
