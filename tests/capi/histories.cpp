@@ -122,7 +122,8 @@ TEST_CASE("a planned motion ends with the changes of the world, which a report d
 
 TEST_CASE("reports and balances leave no trace in later snapshots") {
   const int dimension = GENERATE(2, 3);
-  const std::int32_t kind = GENERATE(HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_NONE);
+  const std::int32_t kind =
+      GENERATE(int{HS_STIFFNESS_PER_CONTACT}, int{HS_STIFFNESS_PER_AREA}, int{HS_STIFFNESS_NONE});
   const double cohesion = GENERATE(0.0, 1e3);
   Row asked(dimension, kind, cohesion), other(dimension, kind, cohesion);
   const auto look = [&] {

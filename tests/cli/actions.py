@@ -128,7 +128,7 @@ class Actions(SceneTest):
         self.check_fault(SHEAR_BOX + everywhere + everywhere,
                          r"action\[1\]\.on: all blocks have a motion along x by action\[0\]")
         turn = '[[action]]\non = "upper"\nkind = "angular_velocity"\ntable = [[0, 1]]\n'
-        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"')
+        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"').replace("world = { ", "world = { time_step = 0.001, ")
         self.check_fault(prescribed + turn + turn, r'"upper" has a rotation about z by action\[0\]')
         self.scene.write_text(prescribed + turn + SHEAR)
         self.assertEqual(halfspace("check", self.scene).returncode, 0)
@@ -149,7 +149,7 @@ class Actions(SceneTest):
             return [line for line in answer.stdout.splitlines() if "the servo of" in line]
 
         self.assertEqual(notes(SHEAR_BOX + SERVO), [])
-        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"')
+        prescribed = SHEAR_BOX.replace('hold = "xyr"', 'kind = "prescribed"').replace("world = { ", "world = { time_step = 0.001, ")
         note, = notes(prescribed + SERVO)
         self.assertRegex(note, r'action\[0\]\.on: the servo of "upper" meets no force: neither it nor "lower" ahead')
         self.assertEqual(notes(prescribed.replace('kind = "fixed"', 'kind = "rigid"') + SERVO), [])

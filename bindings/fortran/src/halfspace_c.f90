@@ -1419,7 +1419,8 @@ module halfspace_c
     end function hs_world_set_applied_forces
 
     !> Stage: neighbour search and detection at the current poses.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share that was not assembled after a change of
+    !! laws) or HS_ERROR_OUT_OF_MEMORY
     function hs_world_detect(world, touching) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
@@ -1447,7 +1448,8 @@ module halfspace_c
     function hs_world_step(world, steps) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      integer(c_int64_t), value :: steps  !< number of steps, >= 0
+      !> number of steps, >= 0; 0: contacts and forces of a changed world are evaluated, if it has a time step
+      integer(c_int64_t), value :: steps
       integer(c_int32_t) :: hs_world_step
     end function hs_world_step
 
@@ -2264,8 +2266,9 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_relax
     end function hs_world_relax
 
-    !> Returns the current balance of forces. It costs as much as a step.
-    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    !> Returns the current balance of forces. It costs as much as a step, and has no effect on the run.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share, or within a step in pieces) or
+    !! HS_ERROR_OUT_OF_MEMORY
     function hs_world_get_balance(world, balance, size) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL

@@ -2140,7 +2140,7 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_relax.restype = hs_status
 
-    # Returns the current balance of forces. It costs as much as a step.
+    # Returns the current balance of forces. It costs as much as a step, and has no effect on the run.
     library.hs_world_get_balance.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_balance),  # balance

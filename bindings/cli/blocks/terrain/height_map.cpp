@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "blocks/mesh/mesh_fault.h"
+#include "scene/scene.h"
 
 namespace halfspace::cli {
 namespace {

@@ -2084,7 +2084,8 @@ extern "C" {
     /// - `world`: not NULL
     /// - `touching`: receives the number of pairs in contact; may be NULL
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share that was not assembled after a change of
+    /// laws) or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_detect(world: *mut hs_world, touching: *mut i64) -> hs_status;
 
     /// Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
@@ -2108,7 +2109,8 @@ extern "C" {
     /// step.
     ///
     /// - `world`: not NULL
-    /// - `steps`: number of steps, >= 0
+    /// - `steps`: number of steps, >= 0; 0: contacts and forces of a changed world are evaluated, if it has a
+    ///   time step
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (no time step given and none can be derived),
     /// HS_ERROR_OUT_OF_MEMORY, HS_ERROR_UNSTABLE, HS_ERROR_TOO_FAST, HS_ERROR_INVERTED or
@@ -3118,13 +3120,14 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
-    /// Returns the current balance of forces. It costs as much as a step.
+    /// Returns the current balance of forces. It costs as much as a step, and has no effect on the run.
     ///
     /// - `world`: not NULL
     /// - `balance`: receives it
     /// - `size`: sizeof(hs_balance) as the caller was compiled
     ///
-    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
+    /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE (a share, or within a step in pieces) or
+    /// HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_get_balance(
         world: *mut hs_world,
         balance: *mut hs_balance,
