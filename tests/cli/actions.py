@@ -106,6 +106,27 @@ table = [[0, 0.05]]
 direction = [1, 0]
 """
 
+PRESS = """dimension = 2
+world = { duration = 2, time_step = 0.01 }
+default_law = { stiffness = "none", friction_angle = 30 }
+material = [{ name = "stone", density = 2000 }]
+[[block]]
+material = "stone"
+name = "floor"
+kind = "fixed"
+vertices = [[-3, -1], [3, -1], [3, 0], [-3, 0]]
+[[block]]
+material = "stone"
+name = "stone"
+vertices = [[0, 0], [0.5, 0], [0.5, 0.5], [0, 0.5]]
+[[block]]
+material = "stone"
+name = "plate"
+kind = "prescribed"
+vertices = [[-1, 0.6], [1, 0.6], [1, 0.8], [-1, 0.8]]
+velocity = [0, -0.1]
+"""
+
 
 class Actions(SceneTest):
     def test_a_servo_presses_while_the_block_is_sheared(self):
@@ -161,6 +182,11 @@ class Actions(SceneTest):
         soil = '[[material]]\nname = "soil"\ndensity = 2000\n'
         note, = notes(tables + soil + no_spring + SERVO)
         self.assertIn('the law towards "lower" ahead has no springs', note)
+
+    def test_a_jam_names_its_blocks(self):
+        answer = self.run_scene(PRESS, code=3)
+        self.assertRegex(answer.stderr, r'prescribed block "plate" presses on blocks that cannot move away; the force between '
+                                        r'blocks "(floor|stone)" and "(stone|plate)" would exceed')
 
     def run_with_table(self, *arguments, **options):
         (self.directory / "table.csv").write_text("time; value\n# a comment\n0; 0\n1.5; 3\n")

@@ -68,6 +68,8 @@ class Model {
   World release_world() { return std::move(world_); }
   /// The name of each block of the world, cells included, in the order of hs_world_get_blocks().
   std::vector<std::string> names() const;
+  /// The library's text of an error, with the names of blocks for their ids.
+  std::string with_names(const std::string& text) const;
 
   /// Replaces the time step that the scene gives, s.
   void set_time_step(double time_step);
@@ -119,6 +121,7 @@ class Model {
   const Layout& layout() const { return layout_; }
 
  private:
+  std::string name(hs_block block) const;
   void preload_joints(const Scene& scene);
   void add(const LayoutBody& body, const std::vector<Material>& materials);
   void make_viscous(const LayoutBody& given, hs_body body, const std::vector<Material>& materials);

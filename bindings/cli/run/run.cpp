@@ -157,7 +157,7 @@ class Run {
         return Outcome::interrupted;
       }
       if (error.status != HS_ERROR_UNSTABLE && error.status != HS_ERROR_TOO_FAST) throw;
-      trouble = error.what();
+      trouble = model_.with_names(error.what());
       return error.status == HS_ERROR_UNSTABLE ? Outcome::unstable : Outcome::too_fast;
     }
   }
