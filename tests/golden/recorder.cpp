@@ -7,7 +7,7 @@
 // far at a time as the clock lets them.
 //
 // The number is a sum of hashes, so that threads may be told things in any order. Only the last look at a
-// world asks for its report: that evaluates forces, which the host may not have done yet.
+// world asks for its report, which evaluates forces that the host may not have asked for yet.
 
 #include <dlfcn.h>
 
