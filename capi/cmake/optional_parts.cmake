@@ -18,7 +18,7 @@ macro(halfspace_find name)
   cmake_language(EVAL CODE "${halfspace_find_code}")
 endmacro()
 
-# What the cache knows of compilers, flags and places, for the project that builds a probe.
+# Writes the compilers, flags and places of the cache, for the project that builds a probe.
 function(halfspace_write_known_places file)
   set(text "set(CMAKE_PLATFORM_INFO_INITIALIZED 1 CACHE INTERNAL [[]])\n")  # the compilers' checks are copied
   get_cmake_property(variables CACHE_VARIABLES)

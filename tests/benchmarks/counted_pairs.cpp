@@ -11,7 +11,7 @@ namespace {
 using halfspace_test::require_ok;
 using halfspace_test::Shape;
 
-/// Of diameter 1. In the plane of 3 to 8 vertices, in space of 12 to 20.
+/// Blocks have a diameter of 1, in the plane 3 to 8 vertices, in space 12 to 20.
 Shape random_shape(hs_context* context, int dimension, Random& random) {
   if (dimension == 3) return hull(context, random_corners(random));
   return halfspace_test::make_shape(context, random_polygon(3 + int(random() % 6), 0.5, random));

@@ -15,7 +15,7 @@ TITLE = f'{"scene":24} {"blocks":>8} {"now":>12} {LAST_RELEASE:>12}'
 
 
 class Fault(Exception):
-    """What keeps counts from being compared."""
+    """A fault that keeps counts from being compared."""
 
 
 @dataclasses.dataclass

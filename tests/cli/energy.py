@@ -1,4 +1,4 @@
-"""What the summary says of energy that a run makes or loses."""
+"""Energy that a run makes or loses, as the summary tells it."""
 from command import SceneTest, main
 
 SQUARE = """dimension = 2

@@ -38,7 +38,7 @@ Pressure<2> pressure_of(const Shape<2>& a, const Shape<2>& b, const Vector<2>& t
 }
 Pressure<2> pressure_of(const PolygonPair& pair) { return pressure_of(pair.a, pair.b, pair.to_b); }
 
-/// What b has in common with a, by cutting: relative to the centroid of a.
+/// The overlap by cutting, relative to the centroid of a.
 Points overlap_by_cutting(const PolygonPair& pair) {
   const Outline<2> oa = pair.a.outline(), ob = pair.b.outline();
   Points part;

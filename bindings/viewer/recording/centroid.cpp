@@ -35,7 +35,7 @@ Point centroid_of(const std::vector<Point>& vertices, const std::vector<std::vec
   Point centroid = origin;
   for (std::size_t axis = 0; axis < 3 && size != 0; ++axis) {
     centroid[axis] += sum[axis] / size;
-    // What is lost in rounding, as a sliver's size may be, leaves it in the box of the block.
+    // Rounding may lose a sliver's size: the centroid then stays in the box of the block.
     const auto [low, high] = std::minmax_element(
         vertices.begin(), vertices.end(), [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
     if (!(centroid[axis] >= (*low)[axis] && centroid[axis] <= (*high)[axis]))

@@ -38,7 +38,7 @@ class PointContacts {
   /// block.
   double deepest() const { return deepest_; }
 
-  /// Of the coming motion, or of the last one where none is planned.
+  /// Notes the contacts of the coming motion, or of the last one where none is planned.
   void note_pressed(PressedPair& pair) const;
 
   /// After the neighbour list has been renewed.

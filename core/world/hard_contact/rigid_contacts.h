@@ -52,7 +52,7 @@ class RigidContacts {
     search_.for_each_meeting(duration, visit);
   }
 
-  /// Of the coming motion, or of the last one where none is planned.
+  /// Notes the contacts of the coming motion, or of the last one where none is planned.
   void note_pressed(PressedPair& pair) const;
   /// After a solve that has not converged.
   const std::optional<Jam>& jam() const { return jam_; }
@@ -135,7 +135,7 @@ class RigidContacts {
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
   double duration_ = 0;  // of the last motion
-  // Of all impulses of a motion so far, J: losses, and the sum of the magnitudes of their works.
+  // Losses by all impulses of a motion so far, J, and the sum of the magnitudes of their works.
   double impact_loss_ = 0, friction_loss_ = 0, whole_work_ = 0;
   std::int64_t touches_ = 0;
   std::int64_t iterations_ = 0;       // of the motions so far

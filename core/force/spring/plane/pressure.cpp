@@ -6,28 +6,8 @@
 namespace halfspace {
 namespace {
 
-/// A block where the pair has it: relative to the centroid of a.
-struct Placed {
-  const Outline<2>& outline;
-  Vector<2> at;
-  int block;  // 0 a, 1 b
-
-  Vector<2> vertex(int v) const { return outline.vertex(v) + at; }
-};
-
-/// An edge of a block as a half-plane.
-struct Face {
-  Vector<2> normal;
-  double offset;
-  double flush;  // a smaller distance counts as none
-
-  Face(const Placed& owner, int edge)
-      : normal(owner.outline.normal(edge)),
-        offset(owner.outline.offset[edge] + normal.dot(owner.at)),
-        flush(touch_reach * owner.outline.offset[edge]) {}
-
-  double depth(const Vector<2>& p) const { return offset - normal.dot(p); }
-};
+using Placed = PlacedOutline<2>;
+using Face = PressureFace<2>;
 
 /// A side of the overlap, from a corner to the next.
 struct Side {
@@ -107,16 +87,6 @@ void cut_by_owner(const Face& face, const Placed& owner, int edge, double reach,
   }
 }
 
-/// How deep the overlap is below a face; any value above the limit if it is deeper.
-double greatest_depth(const Face& face, std::span<const OverlapCorner> overlap, double limit) {
-  double deepest = 0;
-  for (const OverlapCorner& corner : overlap) {
-    deepest = std::max(deepest, face.depth(corner.at));
-    if (deepest > limit) break;
-  }
-  return deepest;
-}
-
 /// The depth below a face, integrated over the overlap. By the divergence theorem it is an integral over the
 /// sides.
 double energy_below(const Face& face, std::span<const OverlapCorner> overlap) {
@@ -161,19 +131,18 @@ Pressure<2> pressure_between(const Outline<2>& a, const Outline<2>& b, const Vec
   const std::span<const OverlapCorner> overlap = room.overlap;
   if (overlap.size() < 3) return pressure;
 
-  const auto face_of = [&](int block, int edge) { return Face(blocks[block], edge); };
+  const auto place_of = [](const OverlapCorner& corner) { return corner.at; };
   const LeastFace least = least_face(
-      a, b,
-      [&](int block, int edge, double limit) { return greatest_depth(face_of(block, edge), overlap, limit); },
-      [&](int block, int edge) { return energy_below(face_of(block, edge), overlap); });
+      blocks, [&](const Face& face, double limit) { return greatest_depth(face, overlap, limit, place_of); },
+      [&](const Face& face) { return energy_below(face, overlap); });
   if (!least.is_found()) return pressure;
-  const Face face = face_of(least.block, least.face);
+  const Placed &owner = blocks[least.block], &pressed = blocks[1 - least.block];
+  const Face face(owner, least.face);
   const PressureSums<2> sums = sums_below(face, least.block, overlap);
   if (!(sums.base > 0)) return pressure;
-  const int vertex = deepest_vertex(blocks[1 - least.block].outline, face.normal, near.vertex);
+  const int vertex = deepest_vertex(pressed.outline, face.normal, near.vertex);
   const PotentialPair<2> pair{least.block, least.face, vertex};
-  return sums.pressure(pair, face.normal, least.block == 0, least.energy, blocks[least.block].at,
-                       blocks[1 - least.block].at);
+  return sums.pressure(pair, face.normal, least.energy, owner, pressed);
 }
 
 }  // namespace halfspace

@@ -6,33 +6,8 @@
 namespace halfspace {
 namespace {
 
-/// A block where the pair has it: relative to the centroid of a.
-struct Placed {
-  const Outline<3>& outline;
-  Vector<3> at;
-  int block;  // 0 a, 1 b
-
-  Vector<3> vertex(int v) const { return outline.vertex(v) + at; }
-  std::span<const std::int32_t> vertices_of(int face) const {
-    const Topology& topology = *outline.topology;
-    const std::int32_t first = topology.first_of_face[face];
-    return {topology.face_vertex + first, std::size_t(topology.first_of_face[face + 1] - first)};
-  }
-};
-
-/// A face of a block as a half-space.
-struct Face {
-  Vector<3> normal;
-  double offset;
-  double flush;  // a smaller distance counts as none
-
-  Face(const Placed& owner, int face)
-      : normal(owner.outline.normal(face)),
-        offset(owner.outline.offset[face] + normal.dot(owner.at)),
-        flush(touch_reach * owner.outline.offset[face]) {}
-
-  double depth(const Vector<3>& p) const { return offset - normal.dot(p); }
-};
+using Placed = PlacedOutline<3>;
+using Face = PressureFace<3>;
 
 struct Start {
   int block;
@@ -53,12 +28,18 @@ Start start_of(const Outline<3>& a, const PotentialPair<3>& near) {
   }
 }
 
+std::span<const std::int32_t> vertices_of(const Placed& block, int face) {
+  const Topology& topology = *block.outline.topology;
+  const std::int32_t first = topology.first_of_face[face];
+  return {topology.face_vertex + first, std::size_t(topology.first_of_face[face + 1] - first)};
+}
+
 /// The faces of a block of which a vertex fulfils the condition.
 template <class Condition>
 void find_faces(const Placed& block, Array<std::int32_t>& faces, Condition condition) {
   faces.clear();
   for (int f = 0; f < block.outline.face_count(); ++f) {
-    const auto vertices = block.vertices_of(f);
+    const auto vertices = vertices_of(block, f);
     if (std::any_of(vertices.begin(), vertices.end(), [&](int v) { return condition(block.vertex(v)); }))
       faces.push_back(f);
   }
@@ -108,7 +89,7 @@ void add_faces(const Placed& block, std::span<const std::int32_t> near, const Pl
                std::span<const std::int32_t> near_of_other, PressureRoom<3>& room) {
   for (const std::int32_t f : near) {
     room.polygon.clear();
-    for (const std::int32_t v : block.vertices_of(f)) room.polygon.push_back(block.vertex(v));
+    for (const std::int32_t v : vertices_of(block, f)) room.polygon.push_back(block.vertex(v));
     const Vector<3> normal = block.outline.normal(f);
     bool is_shared = false;
     const auto is_cut_away = [&](std::int32_t g) {
@@ -144,15 +125,6 @@ void for_each_triangle(const Face& below, const OverlapFace& face, const Array<V
     const Corner q = corner(i), r = corner(i + 1);
     visit(p, q, r, part * cross_product(q.at - p.at, r.at - p.at).dot(face.normal));
   }
-}
-
-double greatest_depth(const Face& face, const Array<Vector<3>>& corners, double limit) {
-  double deepest = 0;
-  for (const Vector<3>& corner : corners) {
-    deepest = std::max(deepest, face.depth(corner));
-    if (deepest > limit) break;
-  }
-  return deepest;
 }
 
 /// The depth below a face, integrated over the overlap. By the divergence theorem it is an integral over the
@@ -217,20 +189,20 @@ Pressure<3> pressure_between(const Outline<3>& a, const Outline<3>& b, const Vec
   add_faces(blocks[1], room.near_b, blocks[0], room.near_a, room);
   if (room.faces.empty()) return pressure;
 
-  const auto face_of = [&](int block, int f) { return Face(blocks[block], f); };
+  const auto place_of = [](const Vector<3>& corner) { return corner; };
   const LeastFace least = least_face(
-      a, b,
-      [&](int block, int f, double limit) { return greatest_depth(face_of(block, f), room.corners, limit); },
-      [&](int block, int f) { return energy_below(face_of(block, f), room); });
+      blocks,
+      [&](const Face& face, double limit) { return greatest_depth(face, room.corners, limit, place_of); },
+      [&](const Face& face) { return energy_below(face, room); });
   if (!least.is_found()) return pressure;
-  const Face face = face_of(least.block, least.face);
+  const Placed &owner = blocks[least.block], &pressed = blocks[1 - least.block];
+  const Face face(owner, least.face);
   const PressureSums<3> sums = sums_below(face, least.block, room);
   if (!(sums.base > 0)) return pressure;
   PotentialPair<3> pair = least.block == 0 ? PotentialPair<3>{PotentialPair<3>::face_vertex, least.face, 0}
                                            : PotentialPair<3>{PotentialPair<3>::vertex_face, 0, least.face};
   refresh(a, b, to_b, pair);
-  return sums.pressure(pair, face.normal, least.block == 0, least.energy, blocks[least.block].at,
-                       blocks[1 - least.block].at);
+  return sums.pressure(pair, face.normal, least.energy, owner, pressed);
 }
 
 }  // namespace halfspace
