@@ -74,7 +74,7 @@ function(halfspace_works name variable)
     get_property(find GLOBAL PROPERTY halfspace_FIND_${name})
     set(fault 0)
     set(log "")
-    if(run)
+    if(NOT run STREQUAL "")  # a command may end with -NOTFOUND, which is false
       execute_process(COMMAND ${run} TIMEOUT 60 RESULT_VARIABLE fault OUTPUT_VARIABLE log ERROR_VARIABLE log)
     endif()
     if(fault EQUAL 0 AND find)
