@@ -33,15 +33,15 @@ void begin_below(const Face& face, const Placed& other, int deepest, Array<Overl
   part.clear();
   int v = first;
   do {
-    part.push_back({other.vertex(v), outline.normal(v), other.block, false});
+    part.push_back({other.vertex(v), outline.normal(v), other.block, v, flush_of(other, v), false});
     v = outline.next(v);
   } while (v != first && is_below(v));
-  if (v != first) part.push_back({other.vertex(v), face.normal, 1 - other.block, false});
+  if (v != first) part.push_back({other.vertex(v), face.normal, face.block, face.face, face.flush, false});
 }
 
 /// Keeps what lies behind an edge of the owner. Where a side lies on that edge, up to rounding, it stays, and
 /// is shared.
-void cut(const Face& face, int block, PressureRoom<2>& room) {
+void cut(const Face& face, PressureRoom<2>& room) {
   Array<OverlapCorner>& whole = room.overlap;
   if (whole.empty()) return;
   bool is_whole = true;
@@ -49,7 +49,8 @@ void cut(const Face& face, int block, PressureRoom<2>& room) {
     const double here = face.depth(whole[i].at);
     is_whole &= here >= 0;
     const double next = face.depth(whole[i == last ? 0 : i + 1].at);
-    if (are_flush(face, whole[i].normal, here) && are_flush(face, whole[i].normal, next)) {
+    const bool is_flush = std::max(std::abs(here), std::abs(next)) <= std::min(face.flush, whole[i].flush);
+    if (is_flush && are_parallel(face.normal, whole[i].normal)) {
       whole[i].is_shared = true;
       return;
     }
@@ -66,7 +67,8 @@ void cut(const Face& face, int block, PressureRoom<2>& room) {
           &outer = here >= 0 ? side.end.at : side.start.at;
     const double depth = std::max(here, next), height = -std::min(here, next);
     const Vector<2> at = inner + depth / (depth + height) * (outer - inner);
-    part.push_back(here >= 0 ? OverlapCorner{at, face.normal, block, false} : side.start);
+    part.push_back(here >= 0 ? OverlapCorner{at, face.normal, face.block, face.face, face.flush, false}
+                             : side.start);
     part.back().at = at;
   });
   room.overlap.swap(room.clipped);
@@ -76,7 +78,7 @@ void cut(const Face& face, int block, PressureRoom<2>& room) {
 /// to both sides. Deeper ones do not bound the overlap.
 void cut_by_owner(const Face& face, const Placed& owner, int edge, double reach, PressureRoom<2>& room) {
   const Outline<2>& outline = owner.outline;
-  const auto cut_by = [&](int e) { cut(Face(owner, e), owner.block, room); };
+  const auto cut_by = [&](int e) { cut(face_of(owner, e), room); };
   const auto is_reached = [&](int v) { return face.depth(owner.vertex(v)) < reach; };
   cut_by(edge);
   int last = outline.next(edge);
@@ -87,32 +89,48 @@ void cut_by_owner(const Face& face, const Placed& owner, int edge, double reach,
   }
 }
 
-/// The depth below a face, integrated over the overlap. By the divergence theorem it is an integral over the
-/// sides.
-double energy_below(const Face& face, std::span<const OverlapCorner> overlap) {
-  double energy = 0;
-  for_each_side(overlap, [&](const Side& side) {
-    const double here = face.depth(side.start.at), next = face.depth(side.end.at);
-    const double mean_square = (here * here + here * next + next * next) / 3;
-    energy -= 0.5 * face.normal.dot(side.start.normal) * side.length() * mean_square;
-  });
-  return energy;
+Vector<2> centroid_of(std::span<const OverlapCorner> overlap) {
+  const Vector<2>& apex = overlap.front().at;
+  double twice_area = 0;
+  Vector<2> moment = Vector<2>::Zero();
+  for (std::size_t i = 1; i + 1 < overlap.size(); ++i) {
+    const Vector<2> p = overlap[i].at - apex, q = overlap[i + 1].at - apex;
+    const double twice = cross(p, q);
+    twice_area += twice;
+    moment += twice * (p + q);
+  }
+  return twice_area > 0 ? Vector<2>(apex + moment / (3 * twice_area)) : apex;
 }
 
-PressureSums<2> sums_below(const Face& face, int owner, std::span<const OverlapCorner> overlap) {
+/// By the divergence theorem the depth integrated over the overlap is an integral over its sides.
+PressureSums<2> sums_below(const Face& face, std::span<const OverlapCorner> overlap) {
   PressureSums<2> sums;
   for_each_side(overlap, [&](const Side& side) {
     const Vector<2>&p = side.start.at, &q = side.end.at, &normal = side.start.normal;
     const double here = face.depth(p), next = face.depth(q), length = side.length();
-    if (side.start.block != owner || side.start.is_shared) {
+    const double faces_down = -face.normal.dot(normal);
+    sums.depth = std::max(sums.depth, here);
+    sums.energy += faces_down * length / 6 * (here * here + here * next + next * next);
+    if (side.start.block != face.block || side.start.is_shared) {
       const double pressed = side.start.is_shared ? 0.5 * length : length;
       sums.add_pressure(normal, pressed / 2 * (here + next),
                         pressed / 6 * (here * (2 * p + q) + next * (p + 2 * q)));
     }
-    const double width = -face.normal.dot(normal) * length;
-    if (width > 0) sums.add_base(p + here * face.normal, q + next * face.normal, width);
+    if (faces_down > 0) sums.add_base(p, q, faces_down * length);
   });
   return sums;
+}
+
+/// Finds the overlap from a pair on, and updates its vertex.
+void find_overlap(const Placed (&blocks)[2], const Face& first, PotentialPair<2>& pair,
+                  PressureRoom<2>& room) {
+  const Placed &owner = blocks[first.block], &other = blocks[1 - first.block];
+  pair.vertex = deepest_vertex(other.outline, first.normal, pair.vertex);
+  const double reach = first.depth(other.vertex(pair.vertex));
+  room.overlap.clear();
+  if (!(reach > 0)) return;
+  begin_below(first, other, pair.vertex, room.overlap);
+  cut_by_owner(first, owner, first.face, reach, room);
 }
 
 }  // namespace
@@ -120,29 +138,20 @@ PressureSums<2> sums_below(const Face& face, int owner, std::span<const OverlapC
 Pressure<2> pressure_between(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                              const PotentialPair<2>& near, PressureRoom<2>& room) {
   const Placed blocks[] = {{a, Vector<2>::Zero(), 0}, {b, to_b, 1}};
-  const Placed &start = blocks[near.owner], &other = blocks[1 - near.owner];
-  const Face first(start, near.edge);
-  const int deepest = deepest_vertex(other.outline, first.normal, near.vertex);
-  const double reach = first.depth(other.vertex(deepest));
-  Pressure<2> pressure;
-  if (!(reach > 0)) return pressure;
-  begin_below(first, other, deepest, room.overlap);
-  cut_by_owner(first, start, near.edge, reach, room);
-  const std::span<const OverlapCorner> overlap = room.overlap;
-  if (overlap.size() < 3) return pressure;
-
-  const auto place_of = [](const OverlapCorner& corner) { return corner.at; };
-  const LeastFace least = least_face(
-      blocks, [&](const Face& face, double limit) { return greatest_depth(face, overlap, limit, place_of); },
-      [&](const Face& face) { return energy_below(face, overlap); });
-  if (!least.is_found()) return pressure;
-  const Placed &owner = blocks[least.block], &pressed = blocks[1 - least.block];
-  const Face face(owner, least.face);
-  const PressureSums<2> sums = sums_below(face, least.block, overlap);
-  if (!(sums.base > 0)) return pressure;
-  const int vertex = deepest_vertex(pressed.outline, face.normal, near.vertex);
-  const PotentialPair<2> pair{least.block, least.face, vertex};
-  return sums.pressure(pair, face.normal, least.energy, owner, pressed);
+  PotentialPair<2> pair = near;
+  for (bool is_second = false;; is_second = true) {
+    const Face first = face_of(blocks[pair.owner], pair.edge);
+    find_overlap(blocks, first, pair, room);
+    const std::span<const OverlapCorner> overlap = room.overlap;
+    if (overlap.size() < 3) return no_pressure(first);
+    const Vector<2> centroid = centroid_of(overlap);
+    const Face face = least_face(blocks, first, overlap, centroid);
+    if (face.is_same(first) || is_second) {
+      const PressureSums<2> sums = sums_below(face, overlap);
+      return sums.is_empty() ? no_pressure(face) : sums.pressure(pair, face, centroid);
+    }
+    pair = {face.block, face.face, face.block == pair.owner ? pair.vertex : 0};
+  }
 }
 
 }  // namespace halfspace
