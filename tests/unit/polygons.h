@@ -21,6 +21,14 @@ class Random {
   std::uint64_t state_;
 };
 
+/// Components between -1 and 1, such as rates of strain.
+template <int D>
+Tensor<D> random_tensor(Random& random) {
+  Tensor<D> tensor;
+  for (double& component : tensor.reshaped()) component = random.uniform(-1, 1);
+  return tensor;
+}
+
 Points regular_polygon(int count, double radius, double phase = 0);
 /// Hull of random points on a jittered circle.
 Points random_polygon(Random& random, int most_vertices, double radius);

@@ -170,12 +170,7 @@ TEST_CASE("force and virials are the gradient of the energy as either block is s
   constexpr double step = 1e-4;
   for (int round = 0; round < 300; ++round) {
     const Pair pair = draw_pair(random);
-    const auto random_tensor = [&] {
-      Tensor<2> rate;
-      for (double& component : rate.reshaped()) component = random.uniform(-1, 1);
-      return rate;
-    };
-    const Tensor<2> rate_a = random_tensor(), rate_b = random_tensor();
+    const Tensor<2> rate_a = random_tensor<2>(random), rate_b = random_tensor<2>(random);
     const auto energy_after = [&](double time) {
       const auto strained = [&](const Shape<2>& shape, const Tensor<2>& rate) {
         Points points;

@@ -235,12 +235,7 @@ TEST_CASE(
   for (const int most_vertices : {4, 8, 12, 32, 128}) {
     for (int round = 0; round < 20; ++round) {
       const PlacedPair pair = draw_pair(random, most_vertices);
-      const auto random_tensor = [&] {
-        Tensor<3> rate;
-        for (double& component : rate.reshaped()) component = random.uniform(-1, 1) / 3;
-        return rate;
-      };
-      const Tensor<3> rate_a = random_tensor(), rate_b = random_tensor();
+      const Tensor<3> rate_a = random_tensor<3>(random) / 3, rate_b = random_tensor<3>(random) / 3;
       const Vector<3> velocity = random_direction(random);
       const auto energy_after = [&](double time, double moves, double strains) {
         const auto strained = [&](const Shape<3>& shape, const Tensor<3>& rate) {

@@ -122,8 +122,8 @@ TEST_CASE("the energy is the least of all faces, from whichever face the search 
   Random random(21);
   for (int round = 0; round < 1000; ++round) {
     const PolygonPair pair = draw_pair(random);
-    const double energy =
-        least_energy(pair);  // cutting rounds its new corners to the ulp of a unit coordinate
+    // Cutting rounds its new corners to the ulp of a unit coordinate.
+    const double energy = least_energy(pair);
     CHECK(pressure_of(pair).energy == Approx(energy).margin(1e-14));
     const int edges[] = {pair.a.outline().count, pair.b.outline().count};
     const int owner = random.integer(0, 1);
@@ -139,12 +139,7 @@ TEST_CASE("force and virials of a pressure are the gradient of its energy as blo
   int compared = 0;
   for (int round = 0; round < 300; ++round) {
     const PolygonPair pair = draw_pair(random);
-    const auto random_tensor = [&] {
-      Tensor<2> rate;
-      for (double& component : rate.reshaped()) component = random.uniform(-1, 1);
-      return rate;
-    };
-    const Tensor<2> rate_a = random_tensor(), rate_b = random_tensor();
+    const Tensor<2> rate_a = random_tensor<2>(random), rate_b = random_tensor<2>(random);
     const Vector<2> velocity(random.uniform(-1, 1), random.uniform(-1, 1));
     const auto after = [&](double time) {
       return pressure_of(strained(pair.a, time * rate_a), strained(pair.b, time * rate_b),
@@ -173,7 +168,6 @@ TEST_CASE("a pressure seen from the other block is opposite") {
     CHECK((on_b.virial_b(pair.to_b) - on_a.virial_a()).norm() <= 1e-14);
     CHECK(std::abs((moment(on_b.virial_a()) + moment(on_b.virial_b(pair.to_b)))[0] +
                    cross(pair.to_b, on_b.force)) <= 1e-14);
-    CHECK((on_b.middle - (on_a.middle + pair.to_b)).norm() <= 1e-12);
   }
 }
 

@@ -122,12 +122,7 @@ TEST_CASE("in space, force and virials of a pressure are the gradient of its ene
   int compared = 0;
   for (int round = 0; round < 100; ++round) {
     const BodyPair pair = draw_pair(random, 12);
-    const auto random_tensor = [&] {
-      Tensor<3> rate;
-      for (double& component : rate.reshaped()) component = random.uniform(-1, 1) / 3;
-      return rate;
-    };
-    const Tensor<3> rate_a = random_tensor(), rate_b = random_tensor();
+    const Tensor<3> rate_a = random_tensor<3>(random) / 3, rate_b = random_tensor<3>(random) / 3;
     const Vector<3> velocity = random_direction(random);
     const auto after = [&](double time) {
       return pressure_of(strained(pair.a, time * rate_a), strained(pair.b, time * rate_b),

@@ -53,6 +53,12 @@ bool are_parallel(const Vector<D>& normal, const Vector<D>& other) {
   return normal.dot(other) >= 1 - 0.5 * touch_reach * touch_reach;
 }
 
+/// The part of a side on which the pressure acts: a side that both blocks share counts half for each.
+template <class Side, int D>
+double pressed_part(const Side& side, const PressureFace<D>& face) {
+  return side.is_shared ? 0.5 : side.block != face.block;
+}
+
 template <int D>
 Pressure<D> no_pressure(const PressureFace<D>& face) {
   Pressure<D> pressure;
@@ -94,7 +100,7 @@ struct PressureSums {
         area / 12 * (p * p.transpose() + q * q.transpose() + r * r.transpose() + sum * sum.transpose());
   }
 
-  /// Of the overlap with this centroid, whose depth the middle gets.
+  /// The pressure in an overlap with this centroid, whose depth the middle gets.
   Pressure<D> pressure(const PotentialPair<D>& pair, const PressureFace<D>& face,
                        const Vector<D>& centroid) const {
     const double on_b = face.block == 0 ? 1 : -1;

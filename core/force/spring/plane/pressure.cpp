@@ -111,11 +111,9 @@ PressureSums<2> sums_below(const Face& face, std::span<const OverlapCorner> over
     const double faces_down = -face.normal.dot(normal);
     sums.depth = std::max(sums.depth, here);
     sums.energy += faces_down * length / 6 * (here * here + here * next + next * next);
-    if (side.start.block != face.block || side.start.is_shared) {
-      const double pressed = side.start.is_shared ? 0.5 * length : length;
-      sums.add_pressure(normal, pressed / 2 * (here + next),
-                        pressed / 6 * (here * (2 * p + q) + next * (p + 2 * q)));
-    }
+    const double pressed = pressed_part(side.start, face) * length;
+    sums.add_pressure(normal, pressed / 2 * (here + next),
+                      pressed / 6 * (here * (2 * p + q) + next * (p + 2 * q)));
     if (faces_down > 0) sums.add_base(p, q, faces_down * length);
   });
   return sums;

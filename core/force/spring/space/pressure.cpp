@@ -224,7 +224,7 @@ PressureSums<3> sums_below(const Face& face, const OverlapBody& body) {
   PressureSums<3> sums;
   for (const OverlapFace& side : body.faces) {
     const double faces_down = -face.normal.dot(side.normal);
-    const double pressed = side.is_shared ? 0.5 : side.block != face.block;
+    const double pressed = pressed_part(side, face);
     double depths = 0, squares = 0;
     Vector<3> moment = Vector<3>::Zero();
     for_each_triangle(face, side, body, [&](const Corner& p, const Corner& q, const Corner& r, double area) {
