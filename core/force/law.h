@@ -35,6 +35,7 @@ struct ContactLaw {
     return !has_no_spring() && shear_stiffness > 0 && (tan_friction > 0 || bonds());
   }
   bool is_damped() const { return !has_no_spring() && normal_damping + shear_damping > 0; }
+  bool is_per_area() const { return stiffness_kind == StiffnessKind::per_area; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
   /// The same law with all strengths divided by a factor.
@@ -79,6 +80,9 @@ class LawTable {
   /// The same for a law without a spring.
   bool knows_no_spring() const { return knows_no_spring_; }
 
+  /// True if a law per area has ever been set.
+  bool knows_per_area() const { return knows_per_area_; }
+
   /// True if the condition holds for the law of any pair of materials.
   template <class Condition>
   bool any(Condition condition) const {
@@ -93,13 +97,15 @@ class LawTable {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(default_, own_, law_of_pair_, material_count_, knows_potential_, knows_no_spring_);
+    archive(default_, own_, law_of_pair_, material_count_, knows_potential_, knows_no_spring_,
+            knows_per_area_);
   }
 
  private:
   void note(const ContactLaw& law) {
     knows_potential_ |= law.is_potential();
     knows_no_spring_ |= law.has_no_spring();
+    knows_per_area_ |= law.is_per_area();
   }
   /// The index in the lower triangle, row by row: a new material adds a row at the end.
   static std::size_t index(std::int32_t a, std::int32_t b) {
@@ -113,6 +119,7 @@ class LawTable {
   std::int32_t material_count_ = 0;
   std::int32_t knows_potential_ = 0;
   std::int32_t knows_no_spring_ = 0;
+  std::int32_t knows_per_area_ = 0;
 };
 
 }  // namespace halfspace

@@ -114,7 +114,11 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
     if (!share_.counts(pairs[k])) sums.released = released;
     if (found == Found::apart) continue;
     const bool loads_own = share_.loads(pairs[k]);
-    if (found == Found::met) {
+    const bool is_pressed = model_.law_of(pairs[k]).is_per_area();  // finds its face by its energy
+    if (found == Found::met && is_pressed && loads_own)
+      sums.max_penetration_ratio =
+          std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pairs[k]));
+    if (found == Found::met && !is_pressed) {
       if (made_ > 0 && contacts_.is_described(pairs[k]))
         continuous_collision_.find_entrance(pairs[k], made_, chunk.worker);
       contacts_.note_met(k, chunk.begin, sums);
@@ -184,11 +188,15 @@ template <int D>
                                                        typename ForcePass<D>::Evaluation& evaluation) {
   const ContactEnergy energy = evaluation.energy;
   const std::int32_t last_block = evaluation.last_block;
+  const double peak_overlap = evaluation.peak_overlap;
   const bool is_loaded = forces_.load(k, contact, evaluation);
   if (share_.is_whole()) return is_loaded;
   const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
   if (!share_.counts(pair)) evaluation.energy = energy;
-  if (!share_.loads(pair)) evaluation.last_block = last_block;
+  if (!share_.loads(pair)) {
+    evaluation.last_block = last_block;
+    evaluation.peak_overlap = peak_overlap;
+  }
   return is_loaded;
 }
 
@@ -210,13 +218,14 @@ void World<D>::evaluate_forces(double elapsed) {
       Contact<D> contact;
       for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
         const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-        if (!model_.law_of(pair).is_potential()) contacts_.describe(pair, contact);
+        if (contacts_.is_described(pair)) contacts_.describe(pair, contact);
         load(k, contact);
       }
     } else {
       find_in(chunk, sums, load);
     }
     sums.energy = evaluation.energy;
+    sums.peak_overlap = std::max(sums.peak_overlap, evaluation.peak_overlap);
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
   });
   // In order, as new division plans share their memory.
@@ -260,7 +269,8 @@ template <int D>
 void World<D>::turn_at_corners() {
   entrances_.forget_answers();
   for (const std::uint32_t k : contacts_.touching()) {
-    if (!sleep_.leaves_out(contacts_.neighbors().pairs()[k])) entrances_.ask_again(k);
+    const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    if (!sleep_.leaves_out(pair) && !model_.law_of(pair).is_per_area()) entrances_.ask_again(k);
   }
   const auto energy_of = [&](std::size_t k) {
     typename ForcePass<D>::Evaluation evaluation = forces_.begin(0);

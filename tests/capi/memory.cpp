@@ -206,7 +206,7 @@ TEST_CASE("a steady step asks for no memory, rebuilds of the neighbour list incl
   hs_world* w = pile.world.get();
   const double standing[3] = {0, 0, 0}, turning[3] = {0, 0, 1};
   require_ok(hs_world_set_velocity(w, stirrer, standing, turning), context.get());
-  run(context.get(), w, 8);  // at rest but for what is stirred, and every array as long as it gets
+  run(context.get(), w, 12);  // at rest but for what is stirred, and every array as long as it gets
   CHECK(run_without_memory(context.get(), w, 2, ledger) > 30);  // stirred ever anew
 }
 

@@ -71,7 +71,8 @@ class InSitu(SceneTest):
             with self.subTest(dimension):
                 told = self.run_scene(scene(dimension, blocks)).stdout
                 mean, largest = re.search(r"unbalanced ratio (\S+), of a single block (\S+?)[;\s]", told).groups()
-                self.assertLess(float(mean), 1e-4)
+                # The overlap is 2.5e-5 m: at ends of joints a pressure on this height acts across, too.
+                self.assertLess(float(mean), 2e-4)
                 self.assertLess(float(largest), 1e-3)
 
     def test_faults_are_named(self):

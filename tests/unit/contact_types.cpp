@@ -76,6 +76,58 @@ TEST_CASE("edges within the parallel angle are edge-edge, beyond it vertex-edge"
   CHECK(meet(square, tilted(1e-12), {1.99, 0}).contact.type == ContactType::edge_edge);
 }
 
+TEST_CASE("the plane of a region is that of the edge of smaller depth, whichever the blocks met through") {
+  const auto tilted = [](double angle) {
+    Points points = rectangle(2, 2);
+    for (Vector<2>& p : points) p = Rotation<2>::from_angle(angle) * p;
+    return shape_of(points);
+  };
+  constexpr double tilt = 0.005;
+  // As the pair through which the blocks met: the top of the lower one, then the bottom of the upper one.
+  const auto through = [](int owner) {
+    return PairCache<2>{PairCache<2>::touching, {owner, owner == 0 ? 2 : 0, 0}};
+  };
+  const Shape<2> floor = shape_of(rectangle(20, 2)), box = tilted(tilt);
+  for (const int owner : {0, 1}) {
+    INFO("met through an edge of " << owner);
+    // A box on a longer floor sinks in by its corner.
+    const Contact<2> on_floor = meet(floor, box, {0.3, 1.99}, through(owner)).contact;
+    CHECK(on_floor.type == ContactType::edge_edge);
+    CHECK(on_floor.normal == Vector<2>(0, 1));
+    CHECK(on_floor.gap == Approx(0.99 - std::cos(tilt) - std::sin(tilt)));
+    CHECK(on_floor.points[0].y() == 1);
+    // On a block of its width its corner is in front of the block, or beside that, beyond the block's corner.
+    const Contact<2> left_over = meet(square, box, {-0.5, 1.99}, through(owner)).contact;
+    CHECK(left_over.normal.isApprox(Vector<2>(-std::sin(tilt), std::cos(tilt))));
+    const Vector<2> corner_of_square = Vector<2>(-1, 1) - Vector<2>(-0.5, 1.99);
+    CHECK(left_over.gap == Approx(-1 - left_over.normal.dot(corner_of_square)));
+    const Contact<2> right_over = meet(square, box, {0.5, 1.99}, through(owner)).contact;
+    CHECK(right_over.normal == Vector<2>(0, 1));
+    CHECK(right_over.gap == Approx(0.99 - std::cos(tilt) - std::sin(tilt)));
+  }
+}
+
+TEST_CASE("of edges of one length that end flush, none of smaller depth is left") {
+  Random random(5);
+  const auto little = [&] {
+    return (random.integer(0, 1) ? 1 : -1) * std::pow(10, random.uniform(-17, -2.1));
+  };
+  for (int i = 0; i < 2000; ++i) {
+    Points points = rectangle(2, 2);
+    for (Vector<2>& p : points) p = Rotation<2>::from_angle(little()) * p;
+    const Shape<2> upper = shape_of(points);
+    const Vector<2> to_upper(little(), 1.99 - std::abs(little()));
+    const auto through = [&](int owner) {
+      const PairCache<2> witness{PairCache<2>::touching, {owner, owner == 0 ? 2 : 0, 0}};
+      const Contact<2> contact = meet(square, upper, to_upper, witness).contact;
+      CHECK(contact.normal == normal_of(square.outline(), upper.outline(), contact.pair));
+      return contact.gap;
+    };
+    // Either plane where both depths are equal to rounding.
+    CHECK(std::abs(through(0) - through(1)) <= 1e-15);
+  }
+}
+
 TEST_CASE("a thin block that is overlapped past its middle keeps the side through which it was met") {
   const Shape<2> slab = shape_of(rectangle(10, 0.1));
   const Met above = meet(slab, diamond, {0, 1.06});

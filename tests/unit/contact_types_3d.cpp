@@ -311,6 +311,40 @@ TEST_CASE("faces within the parallel angle are face-face, beyond it edge-face, a
   CHECK(type_of(1.1 * limit, 0.9 * limit) == ContactType::edge_face);
 }
 
+TEST_CASE(
+    "in space, the plane of a region is that of the face of smaller depth, whichever the blocks met "
+    "through") {
+  constexpr double tilt = 0.005;
+  const Shape<3> floor = block_of(prism(rectangle(10, 10), 1)), lower = block_of(cube);
+  // Tilted about both horizontal axes: a cube sinks in by one corner.
+  const Eigen::Matrix3d turn = (Turn(tilt, x_axis) * Turn(tilt, y_axis)).toRotationMatrix();
+  const Shape<3> box = block_of(turned(cube, turn));
+  const Vector<3> bottom = turn * Vector<3>(0, 0, -1);
+  double lowest = 0;
+  for (int v = 0; v < box.outline().vertex_count(); ++v)
+    lowest = std::min(lowest, box.outline().vertex(v).z());
+  for (const bool through_lower : {true, false}) {
+    INFO("met through a face of the " << (through_lower ? "lower" : "upper"));
+    const auto met = [&](const Shape<3>& below, const Vector<3>& to_box) {
+      const PairCache<3> witness =
+          through_lower ? touching_through(below, z_axis) : swapped(touching_through(box, -z_axis));
+      const Met met = meet(below, box, to_box, witness);
+      check_by_definition(below, box, to_box, met.contact);
+      return met.contact;
+    };
+    const Contact<3> on_floor = met(floor, {0.3, 0.2, 0.99});
+    CHECK(on_floor.type == ContactType::face_face);
+    CHECK(on_floor.normal == z_axis);
+    CHECK(on_floor.gap == Approx(0.49 + lowest));
+    // Beyond the sides of a cube, the corner is in front of no face.
+    const double side = bottom.x() > 0 ? 0.2 : -0.2, other_side = bottom.y() > 0 ? 0.2 : -0.2;
+    const Contact<3> over = met(lower, {side, other_side, 0.99}),
+                     back = met(lower, {-side, -other_side, 0.99});
+    CHECK((over.normal == z_axis) != (back.normal == z_axis));
+    CHECK((over.normal.isApprox(-bottom) || back.normal.isApprox(-bottom)));
+  }
+}
+
 TEST_CASE("in space, swapping the blocks turns the normal and nothing else") {
   for (const Case& c : one_of_each_type()) {
     INFO("type " << int(c.type));

@@ -23,15 +23,19 @@ struct Overlapping : WorldParts<D> {
     REQUIRE(this->contacts.count() == 1);
   }
 
-  /// `force` acts along x in the middle of the face that both share, a quarter from either centroid.
-  void check_loads(double force) {
+  /// `force` acts along x in the middle of the face that both share, a quarter from either centroid; `across`
+  /// along y, on the side of b within a, at a third of its depth.
+  void check_loads(double force, double across = 0) {
     const Blocks<D>& blocks = this->blocks;
-    CHECK((blocks.force[1] - at<D>(force, 0)).norm() <= 1e-14 * force);
+    CHECK((blocks.force[1] - at<D>(force, across)).norm() <= 1e-14 * force);
     CHECK(blocks.force[0] == -blocks.force[1]);
-    Angular<D> turning = Angular<D>::Zero();
-    turning[turning.size() - 1] = force * offset / 2;
-    CHECK((blocks.torque[0] - turning).norm() <= 1e-14 * force);
-    CHECK((blocks.torque[1] - turning).norm() <= 1e-14 * force);
+    const auto turning = [&](double arm) {
+      Angular<D> torque = Angular<D>::Zero();
+      torque[torque.size() - 1] = force * offset / 2 - across * arm;
+      return torque;
+    };
+    CHECK((blocks.torque[0] - turning(0.5 - 2 * depth / 3)).norm() <= 1e-14 * force);
+    CHECK((blocks.torque[1] - turning(0.5 - depth / 3)).norm() <= 1e-14 * force);
     const Angular<D> about_origin = blocks.torque[0] + blocks.torque[1] +
                                     moment(blocks.position[0], blocks.force[0]) +
                                     moment(blocks.position[1], blocks.force[1]);
@@ -54,12 +58,14 @@ TEMPLATE_TEST_CASE_SIG("a spring presses overlapping blocks apart by its stiffne
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("a spring per area presses by the area too that both share", "", ((int D), D), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "a spring per area presses by the area that both share, and on the side within the other", "",
+    ((int D), D), 2, 3) {
   ContactLaw law = normal_spring(stiffness);
   law.stiffness_kind = StiffnessKind::per_area;
   Overlapping<D> parts(law);
   CHECK(parts.load_blocks().strain == Approx(0.5 * stiffness * offset * depth * depth));
-  parts.check_loads(stiffness * offset * depth);
+  parts.check_loads(stiffness * offset * depth, 0.5 * stiffness * depth * depth);
 }
 
 TEMPLATE_TEST_CASE_SIG("loads of several contacts add up", "", ((int D), D), 2, 3) {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "bare_law.h"
+#include "block/deformation.h"
 #include "catch.h"
 #include "contacts_3d.h"
 #include "force/potential/line_of_action.h"
-#include "force/spring/overlap.h"
 #include "narrow_phase/space/separation.h"
 #include "world/world.h"
 
@@ -69,13 +69,17 @@ TEST_CASE("in space, what blocks share spreads about any line as their overlap d
     const Shape<3> a = random_block(random, random.integer(4, 24)),
                    b = random_block(random, random.integer(4, 24));
     const Vector<3> to_b = random_vector(random, -0.8, 0.8), normal = random_direction(random);
-    const Overlap<3> overlap = measure_overlap(a.outline(), b.outline(), to_b, normal, Vector<3>(0.5 * to_b));
-    if (overlap.content < 1e-5) continue;
+    const Polyhedron part = intersection_by_cutting(a, b, to_b);
+    if (part.is_empty()) continue;
+    const Shape<3> body(part, memory);
+    if (body.volume() < 1e-5) continue;
+    const Eigen::Matrix3d moment = second_moment_of(body);
+    const double square = (moment.trace() - normal.dot(moment * normal)) / body.volume();
     ++overlapping;
     const PotentialForce<3> potential = potential_force(a.outline(), b.outline(), to_b, room);
     // Rounding puts corners off by some 1e-16, and so the radius of a thin body by as much over its volume.
     CHECK(radius_of_gyration(potential.spread, normal, Vector<3>(Vector<3>::Zero())) ==
-          Approx(overlap.twist_radius).margin(1e-13 / overlap.content));
+          Approx(std::sqrt(square)).margin(1e-13 / body.volume()));
   }
   CHECK(overlapping > 100);
 }

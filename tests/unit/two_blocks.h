@@ -3,6 +3,7 @@
 #include "bare_law.h"
 #include "block/blocks.h"
 #include "contacts_3d.h"
+#include "force/spring/pressure_room.h"
 #include "force/spring/spring.h"
 
 namespace halfspace::test {
@@ -46,10 +47,11 @@ struct TwoBlocks {
                                blocks.spin[1]};
     energy = {};
     const Spring<3> spring(law, 1, elapsed);
-    return law.stiffness_kind == StiffnessKind::per_area
-               ? spring.evaluate(contact, overlap_of(a, b, to_b(), contact), motion, shear, bonded, energy)
-               : spring.evaluate(contact, point_springs(a, b, to_b(), contact), motion, shear, bonded,
-                                 energy);
+    PressureRoom<3> room(std::pmr::get_default_resource());
+    return law.is_per_area() ? spring.evaluate(contact, pressure_between(a, b, to_b(), pair, room), motion,
+                                               shear, bonded, energy)
+                             : spring.evaluate(contact, point_springs(a, b, to_b(), contact), motion, shear,
+                                               bonded, energy);
   }
 };
 

@@ -71,6 +71,8 @@ TEST_CASE("the time step of a compound is that of the block with its mass", "[co
 }
 
 /// They do where the forces of two contacts are those of one: as long as none of them slides or parts.
+/// The floor presses on the inner sides of the halves, too: that turns their forces, and with them their
+/// shear springs, by the sink over the length, and may change the frequency of a swing by that part.
 TEST_CASE("two halves bounce and swing on the floor as the one square does", "[compound]") {
   const int dimension = GENERATE(2, 3);
   const bool bounces = GENERATE(true, false);
@@ -78,6 +80,7 @@ TEST_CASE("two halves bounce and swing on the floor as the one square does", "[c
   CompoundScene of_parts(dimension, law, 1e-4), of_one(dimension, law, 1e-4);
   const double sink = CompoundScene::density * gravity / 1e8;
   const Point moved{0, bounces ? 0.1 : -sink}, velocity{bounces ? 1 : 1e-3, 0};
+  constexpr double time = 1;  // of all steps
   of_parts.add_floor();
   of_one.add_floor();
   const hs_block block = of_parts.add(halves, moved, velocity);
@@ -90,7 +93,7 @@ TEST_CASE("two halves bounce and swing on the floor as the one square does", "[c
   }
   std::printf("%dD: halves that %s differ from the square by %.1e\n", dimension, bounces ? "bounce" : "swing",
               most);
-  CHECK(most < 1e-9);
+  CHECK(most < (bounces ? 1e-9 : sink * velocity.x * time));
 }
 
 TEST_CASE("two halves slide as far as friction lets them", "[compound]") {

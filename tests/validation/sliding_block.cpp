@@ -50,13 +50,23 @@ Rest rest_on_corners(const Slider& s, const Rest& rest) {
                             (s.stiffness * square_of(s.width) * c / 4 - n * s.height / 2))};
 }
 
+/// Per area friction acts at the depth of the overlap's centroid: of a trapezoid with a depth at the toe and
+/// one at the heel, or of a triangle without a heel.
+double friction_arm(const Slider& s, const Rest& rest) {
+  const double c = std::cos(rest.tilt), sine = std::sin(rest.tilt);
+  const double toe = (s.height * c + s.width * sine) / 2 - rest.height;
+  const double heel = std::max((s.height * c - s.width * sine) / 2 - rest.height, 0.0);
+  return rest.height + (toe * toe + toe * heel + heel * heel) / (3 * (toe + heel));
+}
+
 /// Depth d0 + tan(tilt) x under a base of length w c: force K w c d0, moment about its middle K tan(tilt) (w
 /// c)^3 / 12; its middle lies h/2 sin(tilt) behind the centroid.
 Rest rest_on_whole_base(const Slider& s, const Rest& rest) {
   const double c = std::cos(rest.tilt), n = s.normal_force();
   const double base = s.width * c;
   const double height = s.height * c / 2 - n / (s.stiffness * base);
-  return {height, std::atan((height * s.shear_force() + n * s.height / 2 * std::sin(rest.tilt)) /
+  const double arm = friction_arm(s, {height, rest.tilt});
+  return {height, std::atan((arm * s.shear_force() + n * s.height / 2 * std::sin(rest.tilt)) /
                             (s.stiffness * base * base * base / 12))};
 }
 
@@ -66,7 +76,7 @@ Rest rest_on_whole_base(const Slider& s, const Rest& rest) {
 Rest rest_on_front_of_base(const Slider& s, const Rest& rest) {
   const double c = std::cos(rest.tilt), sine = std::sin(rest.tilt), n = s.normal_force();
   const double toe_ahead = (s.width * c - s.height * sine) / 2;
-  const double bearing = (toe_ahead - rest.height * s.shear_force() / n) / (c - (c + 1 / c) / 3);
+  const double bearing = (toe_ahead - friction_arm(s, rest) * s.shear_force() / n) / (c - (c + 1 / c) / 3);
   return {(s.height * c + s.width * sine) / 2 - bearing * sine,
           std::atan(2 * n / (s.stiffness * square_of(bearing)))};
 }

@@ -78,7 +78,8 @@ HS_CONTACT_POINTS = 8  #
 # N/m, of a face on a face, distributed over springs at the corners of the region: 1/2 for a 2D vertex, 1/4
 # for a right-angled corner in 3D
 HS_STIFFNESS_PER_CONTACT = 0
-# Pa/m: normal force = stiffness times overlap area (3D: volume) behind the contact plane
+# Pa/m: the owner of the contact face is a fluid, whose pressure, stiffness times depth, acts on the other
+# block's surface; for aligned faces the force is stiffness times the overlap's area (3D: volume)
 HS_STIFFNESS_PER_AREA = 1
 # Pa: gradient of the energy of the overlap (Zheng et al. 2020, section 3). Potential: distance to the nearest
 # face times stiffness / potential_length

@@ -16,8 +16,9 @@ extern "C" {
 enum {
   HS_STIFFNESS_PER_CONTACT = 0, /**< N/m, of a face on a face, distributed over springs at the corners of the
                                      region: 1/2 for a 2D vertex, 1/4 for a right-angled corner in 3D */
-  HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: normal force = stiffness times overlap area (3D: volume) behind the
-                                     contact plane */
+  HS_STIFFNESS_PER_AREA = 1,    /**< Pa/m: the owner of the contact face is a fluid, whose pressure, stiffness times
+                                     depth, acts on the other block's surface; for aligned faces the force is
+                                     stiffness times the overlap's area (3D: volume) */
   HS_STIFFNESS_POTENTIAL = 2,   /**< Pa: gradient of the energy of the overlap (Zheng et al. 2020, section 3).
                                      Potential: distance to the nearest face times stiffness /
                                      potential_length */

@@ -9,6 +9,19 @@
 
 namespace halfspace {
 
+namespace {
+
+template <int D>
+const Vector<D>& direction_of(const Contact<D>& contact, const PointSprings<D>&, bool) {
+  return contact.normal;
+}
+template <int D>
+const Vector<D>& direction_of(const Contact<D>& contact, const Pressure<D>& pressure, bool bonded) {
+  return bonded && is_joint_face(contact) ? contact.normal : pressure.normal;
+}
+
+}  // namespace
+
 template <int D>
 double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
   return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
@@ -71,10 +84,11 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   return normal;
 }
 
-/// The stiffness per area times the overlap: the linear depth integrated over the region, with its moment.
-/// The springs of an intact bond are distributed over its common face.
+/// The stiffness per area times the pressure; its whole moment is about the middle of the base, where the
+/// shear spring is: a point that moved with the pressure would let a block that rolls turn about its normal,
+/// too. The springs of an intact bond are distributed over its common face.
 template <int D>
-typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Overlap<D>& overlap,
+typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Pressure<D>& pressure,
                                                       const PairMotion<D>& motion, bool bonded,
                                                       ContactEnergy& energy) const {
   NormalPart normal;
@@ -87,21 +101,21 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     normal.force = law_.normal_stiffness * face.force;
     normal.couple = law_.normal_stiffness * face.couple;
     energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
-    bed.middle = face.center;
     bed.spread = face.spread;
   } else {
-    normal.base = overlap.base;
-    normal.center = overlap.center;
-    normal.twist_radius = overlap.twist_radius;
-    normal.force = law_.normal_stiffness * overlap.content;
-    energy.strain += 0.5 * law_.normal_stiffness * overlap.depth_squared;
-    bed.middle = overlap.middle;
-    bed.spread = overlap.spread;
-    bed.unevenness = overlap.unevenness();
+    normal.base = pressure.base;
+    normal.center = pressure.middle;
+    normal.twist_radius = std::sqrt(std::max(pressure.spread.trace(), 0.0));
+    normal.force = law_.normal_stiffness * pressure.normal_force();
+    normal.couple = law_.normal_stiffness * pressure.couple();
+    energy.strain += law_.normal_stiffness * pressure.energy;
+    bed.spread = pressure.spread;
+    bed.unevenness = pressure.unevenness();
   }
+  bed.middle = normal.center;
   bed.stiffness = law_.normal_stiffness * normal.base;
   bed.reach = certain_reach(D - 1);
-  damp(contact.normal, motion, bonded, bed, normal);
+  damp(direction_of(contact, pressure, bonded), motion, bonded, bed, normal);
   return normal;
 }
 
@@ -177,7 +191,8 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   const double limit = shear_limit(normal, bonded), wanted = stuck.norm();
   Shear<D> force = stuck;
   const bool slides = wanted > limit;
-  if (slides) force *= limit / wanted;
+  // Within the limit at rounding, too: a force that is evaluated again is the same.
+  if (slides) force *= (1 - 0x1p-51) * limit / wanted;
 
   // Work that the spring does not store is lost.
   if (spring.stiffness == preloaded) spring.stiffness = stiffness;
@@ -215,22 +230,45 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
 
 template <int D>
 template <class Base>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
-                                ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
+PairLoad<D> Spring<D>::evaluate_with(const Base& base, const Contact<D>& contact, const PairMotion<D>& motion,
+                                     ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
   const ContactEnergy before = energy;
+  Vector<D> direction = direction_of(contact, base, bonded);
   NormalPart normal = normal_part(contact, base, motion, bonded, energy);
-  ShearTrial trial = shear_trial(normal, contact.normal, motion, spring);
+  ShearTrial trial = shear_trial(normal, direction, motion, spring);
   if (bonded && !holds(normal, trial)) {
     // The bond fails: its stored energy is lost, and the compressed part continues without it.
     const double held = energy.strain - before.strain;
     bonded = false;
     energy = before;
+    direction = direction_of(contact, base, bonded);
     normal = normal_part(contact, base, motion, bonded, energy);
     energy.friction_loss += held - (energy.strain - before.strain);
-    trial = shear_trial(normal, contact.normal, motion, spring);
+    trial = shear_trial(normal, direction, motion, spring);
   }
 
-  return load(normal, trial, contact.normal, spring, bonded, energy);
+  return load(normal, trial, direction, spring, bonded, energy);
+}
+
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const PointSprings<D>& springs,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
+                                ContactEnergy& energy) const {
+  return evaluate_with(springs, contact, motion, spring, bonded, energy);
+}
+
+/// The force acts at the centre of pressure.
+template <int D>
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Pressure<D>& pressure,
+                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
+                                ContactEnergy& energy) const {
+  PairLoad<D> load = evaluate_with(pressure, contact, motion, spring, bonded, energy);
+  if (bonded && is_joint_face(contact)) return load;
+  const Vector<D> way = pressure.way_to_center();
+  load.contact.point += way;
+  load.contact.couple -= moment(way, load.contact.force);
+  if (law_.is_damped()) load.viscous.couple -= moment(way, load.viscous.force);
+  return load;
 }
 
 template <int D>
@@ -250,13 +288,5 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
 
 template class Spring<2>;
 template class Spring<3>;
-#define HALFSPACE_EVALUATE(D, BASE)                                                              \
-  template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
-                                           ShearSpring<D>&, bool&, ContactEnergy&) const;
-HALFSPACE_EVALUATE(2, PointSprings<2>)
-HALFSPACE_EVALUATE(2, Overlap<2>)
-HALFSPACE_EVALUATE(3, PointSprings<3>)
-HALFSPACE_EVALUATE(3, Overlap<3>)
-#undef HALFSPACE_EVALUATE
 
 }  // namespace halfspace

@@ -3,8 +3,8 @@
 #include "force/law.h"
 #include "force/pair_motion.h"
 #include "force/potential/line_of_action.h"
-#include "force/spring/overlap.h"
 #include "force/spring/point_springs.h"
+#include "force/spring/pressure.h"
 #include "force/spring/shear_spring.h"
 #include "narrow_phase/contact.h"
 
@@ -62,9 +62,12 @@ class Spring {
   Spring(const ContactLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  /// The force of springs at points, with PointSprings as base, or per area, with Overlap as base.
-  template <class Base>
-  PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
+  /// The force of springs at points.
+  PairLoad<D> evaluate(const Contact<D>& contact, const PointSprings<D>& springs, const PairMotion<D>& motion,
+                       ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
+
+  /// Per area, as a pressure. An intact bond of two faces has springs on its common face.
+  PairLoad<D> evaluate(const Contact<D>& contact, const Pressure<D>& pressure, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
 
   /// By the potentials of both blocks. The shear spring is at the loading point, across the line of action.
@@ -108,8 +111,11 @@ class Spring {
                                                        const PointSprings<D>& springs,
                                                        const PairMotion<D>& motion, bool bonded,
                                                        ContactEnergy& energy) const;
-  NormalPart normal_part(const Contact<D>& contact, const Overlap<D>& overlap, const PairMotion<D>& motion,
+  NormalPart normal_part(const Contact<D>& contact, const Pressure<D>& pressure, const PairMotion<D>& motion,
                          bool bonded, ContactEnergy& energy) const;
+  template <class Base>
+  PairLoad<D> evaluate_with(const Base& base, const Contact<D>& contact, const PairMotion<D>& motion,
+                            ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
   void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
             NormalPart& normal) const;
   [[gnu::always_inline]] inline ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction,

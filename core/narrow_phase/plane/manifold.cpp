@@ -7,7 +7,7 @@
 // The contact region of two polygons at a potential pair, an edge and a vertex in front of it:
 //
 //   the other block's edge at the vertex is nearly parallel, and lies over the edge: edge on edge, two points
-//   (beyond the parallel angle: while both points overlap)
+//   (beyond the parallel angle: while both points overlap). The plane is that of the edge of smaller depth
 //
 //   else the foot of the vertex is on the edge: vertex on edge, one point
 //
@@ -47,6 +47,7 @@ PairFrame frame_of(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to
 
 /// The other block's edge at the vertex that is more nearly parallel to the contact plane.
 struct FacingEdge {
+  int edge;
   int far_vertex;
   double sine;  // of the angle to the contact plane, >= 0 to rounding
 };
@@ -59,24 +60,44 @@ FacingEdge facing_edge(const PairFrame& f) {
   const int ends[] = {before, f.other.next(f.vertex)}, edges[] = {before, f.vertex};
   const int after = cosine_after >= cosine_before;
   const double sine = std::abs(cross(f.other.normal(edges[after]), f.normal));
-  return {ends[after], std::max(cosine_after, cosine_before) > 0 ? sine : 1};
+  return {edges[after], ends[after], std::max(cosine_after, cosine_before) > 0 ? sine : 1};
 }
 
-void describe_edge_edge(const PairFrame& f, const FacingEdge& facing, double from, double to,
+/// The ends of the facing edge, the vertex and the far one: distances along the edge from its midpoint, and
+/// gaps.
+struct FacingPlaces {
+  double near;
+  double far;
+  double gap;
+  double gap_of_far;
+};
+
+/// The facing edge is the deeper one unless the vertex is beyond the edge's end, or nearly there.
+bool may_turn(const PairFrame& f, const FacingEdge& facing, const FacingPlaces& at) {
+  const double inside = f.half_length + (at.far > at.near ? at.near : -at.near);
+  return inside < std::abs(at.gap) * facing.sine;
+}
+
+/// Turns the pair to the facing edge if that has the smaller depth, so that the plane does not depend on the
+/// edge through which the blocks met.
+[[gnu::noinline]] bool turn_to_facing(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
+                                      int edge, PotentialPair<2>& pair) {
+  PotentialPair<2> own = pair, other{1 - pair.owner, edge, pair.edge};
+  if (!(refresh(a, b, to_b, other) > refresh(a, b, to_b, own))) return false;
+  pair = other;
+  return true;
+}
+
+void describe_edge_edge(const PairFrame& f, const FacingPlaces& at, double from, double to,
                         Contact<2>& contact) {
   contact.type = ContactType::edge_edge;
   contact.length = to - from;
   contact.point_count = 2;
-  const Vector<2> near = f.other_vertex(f.vertex);
-  const Vector<2> far = f.other_vertex(facing.far_vertex);
-  const double s_near = f.along(near);
-  const double s_far = f.along(far);
-  const double gap_near = f.gap(near);
-  const double slope = (f.gap(far) - gap_near) / (s_far - s_near);
+  const double slope = (at.gap_of_far - at.gap) / (at.far - at.near);
   const double ends[2] = {from, to};
   for (int i = 0; i < 2; ++i) {
     contact.points[i] = f.on_edge(ends[i]);
-    contact.gaps[i] = gap_near + slope * (ends[i] - s_near);
+    contact.gaps[i] = at.gap + slope * (ends[i] - at.near);
   }
   // The vertex itself may lie beyond the edge's end: the gap is that of the deeper end of the region.
   contact.gap = std::min(contact.gaps[0], contact.gaps[1]);
@@ -119,19 +140,23 @@ void describe_contact(const Outline<2>& a, const Outline<2>& b, const Vector<2>&
     contact.normal = f.normal;
 
     const FacingEdge facing = facing_edge(f);
+    contact.gap = f.gap(vertex);
     if (facing.sine < options.region_angle()) {
-      const double s_far = f.along(f.other_vertex(facing.far_vertex));
-      const double from = std::max(-f.half_length, std::min(s, s_far));
-      const double to = std::min(f.half_length, std::max(s, s_far));
+      const Vector<2> far = f.other_vertex(facing.far_vertex);
+      const FacingPlaces at = {s, f.along(far), contact.gap, f.gap(far)};
+      const double from = std::max(-f.half_length, std::min(at.near, at.far));
+      const double to = std::min(f.half_length, std::max(at.near, at.far));
       if (from < to) {
-        describe_edge_edge(f, facing, from, to, contact);
+        describe_edge_edge(f, at, from, to, contact);
         const bool both_overlap = std::max(contact.gaps[0], contact.gaps[1]) < 0;
         if (facing.sine < options.parallel_angle ||
-            (both_overlap && options.outlasts(contact.length, -contact.gap)))
+            (both_overlap && options.outlasts(contact.length, -contact.gap))) {
+          if (steps > 0 && may_turn(f, facing, at) && turn_to_facing(a, b, to_b, facing.edge, pair)) continue;
           break;
+        }
+        contact.gap = at.gap;
       }
     }
-    contact.gap = f.gap(vertex);
     // The zone is a fraction of the shorter edge: for a long plate it would otherwise exceed small grains.
     const double facing_length = (f.other.vertex(facing.far_vertex) - f.other.vertex(f.vertex)).norm();
     const double zone = options.vertex_zone * std::min(2 * f.half_length, facing_length);

@@ -6,6 +6,7 @@
 
 #include "narrow_phase/space/contact_plane.h"
 #include "narrow_phase/space/face_overlap.h"
+#include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
 namespace halfspace {
@@ -52,6 +53,7 @@ FacingNeighbour facing_edge(const FaceVertex<SeenOutline>& f) {
 
 /// A face of the other block at the vertex, and its overlap with the face.
 struct FacingFace {
+  int face = -1;
   double sine = 1;  // of its angle to the plane
   Vector<2> slope;  // of its height over the plane, which is linear and 0 at the origin
   FaceOverlap overlap;
@@ -70,6 +72,7 @@ FacingFace facing_face(const FlatFaceVertex& f, double angle) {
     const double cosine = -normal.dot(f.normal);
     if (cosine <= 0) continue;
     FacingFace found;
+    found.face = face;
     found.sine = cross_product(normal, f.normal).norm();
     if (found.sine >= angle) continue;
     found.slope = f.plane.in_plane(normal) / cosine;
@@ -96,6 +99,18 @@ void describe_face_face(const FlatFaceVertex& f, const FacingFace& facing, Conta
     contact.points[i] = f.plane.at(overlap.corner[i]);
     contact.gaps[i] = f.gap + facing.slope.dot(overlap.corner[i]);
   }
+}
+
+/// The pair, or that of the facing face if its depth is smaller, so that the plane does not depend on the
+/// face through which the blocks met. The facing face is the deeper one if a corner of the face is clearly
+/// farther behind it than the vertex is behind the face.
+PotentialPair<3> less_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
+                           const FlatFaceVertex& f, const FacingFace& facing, const PotentialPair<3>& pair) {
+  const double clear = -std::abs(f.gap) * facing.slope.squaredNorm();
+  for (int i = 0; i < f.polygon.count(); ++i)
+    if (facing.slope.dot(f.polygon.corner(i)) <= clear) return pair;
+  PotentialPair<3> own = pair, other{PotentialPair<3>::vertex_face, f.polygon.vertex(0), facing.face};
+  return refresh(a, b, to_b, other) > refresh(a, b, to_b, own) ? other : pair;
 }
 
 /// False when the edge does not pass over the face.
@@ -231,10 +246,10 @@ bool bears_tilted(const Contact<3>& contact, int points, const DetectOptions& op
 
 /// Describes the region of a face with a nearly parallel face of the other block at the vertex. Beyond the
 /// parallel angle it needs more overlapping points than an edge has. False if there is none.
-bool describe_region_of_face(const FlatFaceVertex& f, const DetectOptions& options, Contact<3>& contact) {
+bool describe_region_of_face(const FlatFaceVertex& f, const FacingFace& face, const DetectOptions& options,
+                             Contact<3>& contact) {
   contact.normal = f.normal;
   contact.gap = f.gap;
-  const FacingFace face = facing_face(f, options.region_angle());
   if (!face.is_there()) return false;
   describe_face_face(f, face, contact);
   return face.sine < options.parallel_angle || bears_tilted(contact, 2, options);
@@ -255,7 +270,7 @@ bool describe_region_of_edge(const FlatFaceVertex& f, const FacingNeighbour& edg
 bool describe_face_region(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b,
                           const PotentialPair<3>& pair, const DetectOptions& options, Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
-  return describe_region_of_face(f, options, contact) ||
+  return describe_region_of_face(f, facing_face(f, options.region_angle()), options, contact) ||
          describe_region_of_edge(f, facing_edge(f), options, contact);
 }
 
@@ -263,7 +278,8 @@ PotentialPair<3> describe_face_vertex(const SeenOutline& a, const SeenOutline& b
                                       const PotentialPair<3>& pair, const DetectOptions& options,
                                       Contact<3>& contact) {
   const FlatFaceVertex f({a, b, to_b, pair.a, pair.b});
-  if (describe_region_of_face(f, options, contact)) return pair;
+  const FacingFace facing = facing_face(f, options.region_angle());
+  if (describe_region_of_face(f, facing, options, contact)) return less_deep(a, b, to_b, f, facing, pair);
   const FacingNeighbour edge = facing_edge(f);
   if (describe_region_of_edge(f, edge, options, contact)) return pair;
 

@@ -50,7 +50,7 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
   const bool describes = is_described(pair);
   if (describes ? find_contact(a, b, to_b, model_.settings.detect, witness, contact)
                 : touch(a, b, to_b, witness)) {
-    if (!describes) witness.state = PairCache<D>::overlapping;
+    if (!describes && model_.law_of(pair).is_potential()) witness.state = PairCache<D>::overlapping;
     has_met = before < PairCache<D>::touching;
   } else {
     if (!pair.bonded) {

@@ -124,8 +124,9 @@ class ContactList {
   }
 
   /// True when detection also computes the contact. In 3D that costs as much as a spring force, and potential
-  /// laws need it only at the first detection and for pairs bonded by another law. In 2D it is cheap, and
-  /// always needed because it updates the cached pair, by at most one edge per detection.
+  /// laws need it only at the first detection and for pairs bonded by another law; laws per area, too, but
+  /// for their own bonds. In 2D it is cheap, and potential laws always need it because it updates the cached
+  /// pair, by at most one edge per detection.
   bool is_described(const Candidate<D>& pair) const;
   /// Bound of the gap or overlap that rounding causes for two blocks placed exactly in touch.
   double rounding_of_touch(const Candidate<D>& pair) const;
@@ -155,7 +156,7 @@ class ContactList {
     neighbors_.reserve_index();
   }
 
-  /// Maximum overlap so far, m. Excludes potential laws in 3D, which compute no contacts.
+  /// Maximum overlap so far, m. Excludes potential laws in 3D, which find none.
   double peak_overlap() const { return peak_overlap_; }
   void note_overlap(double depth) { peak_overlap_ = std::max(peak_overlap_, depth); }
 
@@ -197,9 +198,13 @@ class ContactList {
     if (count == 0) return {};
     return {in_chunks.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), count};
   }
-  /// False for potential laws in 3D, which compute contacts only at the first detection.
+  /// False for laws per area, and for potential laws in 3D, which compute contacts only at the first
+  /// detection.
   bool is_always_described(const Candidate<D>& pair) const {
-    return D == 2 || !model_.materials.laws().knows_potential() || !model_.law_of(pair).is_potential();
+    const LawTable& laws = model_.materials.laws();
+    if (!laws.knows_per_area() && (D == 2 || !laws.knows_potential())) return true;
+    const ContactLaw& law = model_.law_of(pair);
+    return !law.is_per_area() && (D == 2 || !law.is_potential());
   }
 
   Model<D>& model_;

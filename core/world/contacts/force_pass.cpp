@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "force/potential/space/planned_force.h"
+#include "force/spring/joint_face.h"
 #include "narrow_phase/pair.h"
 
 // Contact forces are computed in passes over arrays, chunk by chunk (docs/decisions/threads.md):
@@ -25,6 +26,9 @@ void ForcePass<D>::fit_rooms() {
   forces_.resize(pairs);
   dashpots_.resize(is_damped ? pairs : 0);
   virials_.resize(blocks_.has_deformable() ? pairs : 0);
+  if (laws.any([](const ContactLaw& law) { return law.is_per_area(); })) {
+    for (PressureRoom<D>& room : pressure_rooms_) room.reserve(blocks_.most_edges());
+  }
   if (!laws.knows_potential()) return;
   for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.most_edges());
   if constexpr (D == 3) neighbors_.reserve_plans();
@@ -60,15 +64,29 @@ const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b
 template <int D>
 PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law,
                                       const Spring<D>& spring, ShearSpring<D>& shear,
-                                      Evaluation& evaluation) const {
+                                      Evaluation& evaluation) {
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   bool bonded = pair.bonded;
   const auto evaluate = [&](const auto& base) {
     return spring.evaluate(contact, base, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
   };
-  const PairLoad<D> load = law.stiffness_kind == StiffnessKind::per_area
-                               ? evaluate(overlap_of(at.a, at.b, at.to_b, contact))
-                               : evaluate(point_springs(at.a, at.b, at.to_b, contact));
+  PairLoad<D> load;
+  if (law.is_per_area()) {
+    const Pressure<D> pressure = pressure_between(at.a, at.b, at.to_b, pair.witness.pair,
+                                                  pressure_rooms_[std::size_t(evaluation.worker)]);
+    load = evaluate(pressure);
+    if (!(bonded && is_joint_face(contact)) && !pressure.is_empty()) {
+      evaluation.peak_overlap = std::max(evaluation.peak_overlap, pressure.depth);
+      if (evaluation.elapsed > 0) {  // a force that is evaluated again has the same bits
+        pair.witness.pair = pressure.face;
+        remember_point(pressure.centroid, pair.witness);
+      }
+      if (blocks_.has_deformable())
+        evaluation.stretch = stretch_besides(pressure, law.normal_stiffness, at.to_b);
+    }
+  } else {
+    load = evaluate(point_springs(at.a, at.b, at.to_b, contact));
+  }
   pair.bonded = bonded;
   return load;
 }

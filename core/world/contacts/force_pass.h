@@ -4,6 +4,7 @@
 #include <span>
 
 #include "force/potential/potential_force.h"
+#include "force/spring/pressure_room.h"
 #include "force/spring/spring.h"
 #include "threads/threads.h"
 #include "world/contacts/contact_list.h"
@@ -31,10 +32,15 @@ class ForcePass {
         virials_(memory),
         dashpot_load_(memory),
         is_loaded_(memory),
+        pressure_rooms_(memory),
         potential_rooms_(memory) {
     const int workers = worker_count(threads);
+    pressure_rooms_.reserve(std::size_t(workers));
     potential_rooms_.reserve(std::size_t(workers));
-    for (int worker = 0; worker < workers; ++worker) potential_rooms_.emplace_back(memory);
+    for (int worker = 0; worker < workers; ++worker) {
+      pressure_rooms_.emplace_back(memory);
+      potential_rooms_.emplace_back(memory);
+    }
   }
 
   /// Input common to a chunk of contacts, and the sums over it.
@@ -45,6 +51,7 @@ class ForcePass {
     bool makes_plans = false;  // only one thread at a time
     ContactEnergy energy{};
     std::int32_t last_block = -1;
+    double peak_overlap = 0;  // of pressures
     // The current contact's strains, if one of its blocks is deformable.
     Stretch<D> stretch{};
     StrainRates<D> strain_rates{};
@@ -127,7 +134,7 @@ class ForcePass {
   const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
   [[gnu::always_inline]] inline PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact,
                                                         const ContactLaw& law, const Spring<D>& spring,
-                                                        ShearSpring<D>& shear, Evaluation& evaluation) const;
+                                                        ShearSpring<D>& shear, Evaluation& evaluation);
   std::optional<PotentialForce<D>> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
                                                      const Evaluation& evaluation);
   std::optional<PairLoad<D>> potential_load(Candidate<D>& pair, const ContactLaw& law,
@@ -152,6 +159,7 @@ class ForcePass {
   Array<Virials> virials_;                   // likewise, when a block is deformable
   Array<DashpotLoad> dashpot_load_;          // per block, when a law is damped
   Array<std::uint8_t> is_loaded_;            // per strip of blocks: 1 if some load may not be 0
+  Array<PressureRoom<D>> pressure_rooms_;    // per worker, for the largest blocks
   Array<PotentialRoom<D>> potential_rooms_;  // per worker, for the largest blocks
   std::int32_t known_ = 0;                   // 1: forces are those of the current contacts
 };
