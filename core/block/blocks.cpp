@@ -50,6 +50,7 @@ Blocks<D>::Blocks(Memory* memory)
       rotation(memory),
       angle(memory),
       spin(memory),
+      mean_spin(memory),
       momentum(memory),
       torque(memory),
       applied_torque(memory),
@@ -236,29 +237,33 @@ void Blocks<D>::set_motion(std::int32_t slot, const Vector<D>& new_velocity, con
 }
 
 template <int D>
-void Blocks<D>::drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned) {
+void Blocks<D>::drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned, double duration) {
   const std::size_t s = std::size_t(slot);
   position[s] += way;
   if (kind[s] == BlockKind::rigid) spin[s] = inertia[s].spin(momentum[s], turned);
+  mean_spin[s].setZero();
   if (spin[s] == Angular<D>::Zero()) return;
+  mean_spin[s] = 2 / duration * turned.half_tangent_since(rotation[s]);
   rotation[s] = turned;
   outlines_.turn(slot, turned);
 }
 
 template <int D>
-void Blocks<D>::deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
+void Blocks<D>::deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate, double duration) {
   const std::size_t s = std::size_t(slot);
   deformation(s).gradient = gradient;
   deformation(s).rate = rate;
   set_rotation(s, rotation_of(gradient));
   outlines_.deform(slot, gradient);
-  renew_spin(s);
+  renew_spin(s, duration);
+  mean_spin[s] = spin[s];
 }
 
+/// After a motion both are those of its middle: there a rotation is without strain.
 template <int D>
-void Blocks<D>::renew_spin(std::size_t slot) {
+void Blocks<D>::renew_spin(std::size_t slot, double duration) {
   Deformation<D>& now = deformation(slot);
-  const Tensor<D> velocity_gradient = now.velocity_gradient();
+  const Tensor<D> velocity_gradient = now.velocity_gradient(0.5 * duration);
   now.strain_rate = 0.5 * (velocity_gradient + velocity_gradient.transpose());
   spin[slot] = 0.5 * moment(velocity_gradient);
   momentum[slot] = now.angular_momentum();
@@ -269,7 +274,7 @@ void Blocks<D>::drift_affine(std::int32_t slot, const Vector<D>& way, double dur
   const std::size_t s = std::size_t(slot);
   const Deformation<D>& now = deformation(s);
   position[s] += way;
-  deform(slot, now.gradient + duration * now.rate, now.rate);
+  deform(slot, now.gradient + duration * now.rate, now.rate, duration);
 }
 
 /// The largest inverse effective mass is that of the node with the smallest mass.
@@ -288,11 +293,11 @@ void Blocks<D>::put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<d
 }
 
 template <int D>
-void Blocks<D>::follow_nodes(const SurfaceCell<D>& cell) {
+void Blocks<D>::follow_nodes(const SurfaceCell<D>& cell, double duration) {
   const std::size_t s = std::size_t(cell.block);
   position[s] = meshes_.body(cell.body).origin + cell.mean_of(meshes_.place);
   velocity[s] = cell.mean_of(meshes_.velocity);
-  deform(cell.block, cell.gradient_of(meshes_.place), cell.gradient_of(meshes_.velocity));
+  deform(cell.block, cell.gradient_of(meshes_.place), cell.gradient_of(meshes_.velocity), duration);
 }
 
 template <int D>

@@ -135,10 +135,12 @@ class Blocks {
     deformation(slot).rate += rate_change;
     renew_spin(slot);
   }
+  /// No block has moved since the spins were set.
+  void forget_motion() { std::fill(mean_spin.begin(), mean_spin.end(), Angular<D>::Zero()); }
   /// Moves, rotates and strains an affine block at its present rate.
   void drift_affine(std::int32_t slot, const Vector<D>& way, double duration);
   /// Moves a block. Angular momentum of a rigid block is conserved; in 3D its spin changes.
-  void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned);
+  void drift(std::int32_t slot, const Vector<D>& way, const Rotation<D>& turned, double duration);
 
   Outline<D> outline(std::int32_t slot) const { return outlines_[slot]; }
   /// The largest inverse effective mass over the block's points, minus 1 / mass.
@@ -190,12 +192,12 @@ class Blocks {
   void put_on_surface(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
   /// Sets a mesh block's mass from the cell's parts of its nodes' masses.
   void weigh(const SurfaceCell<D>& cell, const Eigen::Matrix<double, D + 1, 1>& masses);
-  /// Sets pose, deformation and velocities of a mesh block from its nodes.
-  void follow_nodes(const SurfaceCell<D>& cell);
+  /// Sets pose, deformation and velocities of a mesh block from its nodes. `duration`: of their last motion.
+  void follow_nodes(const SurfaceCell<D>& cell, double duration = 0);
   /// The same where only velocities of nodes have changed.
   void follow_node_velocities(const SurfaceCell<D>& cell);
-  /// Sets the deformation gradient of an affine block, and its rate.
-  void deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate);
+  /// Sets the deformation gradient of an affine block, and its rate, which was constant for a duration.
+  void deform(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate, double duration = 0);
   Face<D> undeformed_face(std::int32_t slot, int face) const { return face_of(outlines_.own(slot), face); }
   PlacedBlocks<D> placed(std::int32_t a, std::int32_t b) const {
     return {outline(a), outline(b), position[std::size_t(b)] - position[std::size_t(a)]};
@@ -227,7 +229,11 @@ class Blocks {
             momentum, torque, applied_torque, mass, inertia, radius, largest_face, thickness, held,
             held_count_, free_slots_, outlines_, deformations_, compounds_, meshes_, bonds_, living_,
             moving_end_);
-    if constexpr (Archive::reads) free_slots_.reserve(slot_count());
+    if constexpr (Archive::reads) {
+      free_slots_.reserve(slot_count());
+      mean_spin.resize(slot_count());
+      forget_motion();
+    }
   }
 
   Array<BlockKind> kind;
@@ -240,6 +246,8 @@ class Blocks {
   Array<Rotation<D>> rotation;
   Array<double> angle;  // of the rotation, with whole turns; only in 2D
   Array<Angular<D>> spin;
+  Array<Angular<D>> mean_spin;  // in the last motion: times its duration and the mean of the arms of a point
+                                // at both ends, the point's displacement by rotation
   Array<Angular<D>> momentum;  // angular
   Array<Angular<D>> torque;    // of the contacts
   Array<Angular<D>> applied_torque;
@@ -253,8 +261,8 @@ class Blocks {
  private:
   /// The arrays with an entry per slot, but for the kind, and for the generation, which outlives its block.
   auto entries() {
-    return std::tie(material, position, velocity, force, applied_force, rotation, spin, momentum, torque,
-                    applied_torque, mass, inertia, radius, largest_face, thickness, held);
+    return std::tie(material, position, velocity, force, applied_force, rotation, spin, mean_spin, momentum,
+                    torque, applied_torque, mass, inertia, radius, largest_face, thickness, held);
   }
   void resize(std::size_t slots);
   void empty(std::size_t slot);
@@ -264,7 +272,7 @@ class Blocks {
   void follow(std::int32_t compound);
   void follow_velocity(std::int32_t compound);
   void set_rotation(std::size_t slot, const Rotation<D>& turned);
-  void renew_spin(std::size_t slot);
+  void renew_spin(std::size_t slot, double duration = 0);
 
   Array<std::int32_t> free_slots_;  // capacity for all slots
   Outlines<D> outlines_;

@@ -60,7 +60,8 @@ struct Deformation {
            all_finite(gradient) && gradient.determinant() > 0 && all_finite(rate);
   }
 
-  Tensor<D> velocity_gradient() const { return rate * gradient.inverse(); }
+  /// `since`: time in which the rate was constant.
+  Tensor<D> velocity_gradient(double since = 0) const { return rate * (gradient - since * rate).inverse(); }
   /// Green-Lagrange strain.
   Tensor<D> strain() const { return 0.5 * (gradient.transpose() * gradient - Tensor<D>::Identity()); }
   /// Rate of that strain, for a rate of the gradient.

@@ -63,6 +63,12 @@ class Rotation<2> {
     return Angular<2>(angle_at(turn.cosine, turn.sine));
   }
 
+  /// The Rodrigues vector of that rotation: along its axis, the tangent of half its angle.
+  Angular<2> half_tangent_since(const Rotation& before) const {
+    const Rotation turn = *this * before.inverse();
+    return Angular<2>(turn.sine / (1 + turn.cosine));
+  }
+
   /// A bound of the distance between the images of a unit vector under both rotations.
   double farthest_from(const Rotation& other) const {
     return std::abs(cosine - other.cosine) + std::abs(sine - other.sine);
@@ -174,6 +180,17 @@ class Rotation<3> {
     const Vector<3> twice_sine(y.z() - z.y(), z.x() - x.z(), x.y() - y.x());
     const double sine = 0.5 * twice_sine.norm(), cosine = 0.5 * (x.x() + y.y() + z.z() - 1);
     return sine > 0 ? Angular<3>(angle_at(cosine, sine) / (2 * sine) * twice_sine) : Angular<3>::Zero();
+  }
+
+  /// The Rodrigues vector of that rotation: along its axis, the tangent of half its angle.
+  Angular<3> half_tangent_since(const Rotation& before) const {
+    Vector<3> twice_sine = Vector<3>::Zero();
+    double traced = 0;  // 1 + 2 cosines
+    for (int i = 0; i < 3; ++i) {
+      twice_sine += cross_product(before.columns_[i], columns_[i]);
+      traced += before.columns_[i].dot(columns_[i]);
+    }
+    return twice_sine / (1 + traced);
   }
 
   /// A bound of the distance between the images of a unit vector under both rotations.

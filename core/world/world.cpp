@@ -347,6 +347,7 @@ void World<D>::load_by_water_and_bolts() {
 template <int D>
 void World<D>::evaluate_forces_for_host(double elapsed) {
   edit();  // springs and losses change outside the steps
+  model_.blocks.mean_spin = model_.blocks.spin;
   evaluate_forces(elapsed);
   for (std::size_t i = 0; i < model_.blocks.slot_count(); ++i)
     ledger_.add_contact_damping_loss(elapsed * forces_.dashpot_power(i));

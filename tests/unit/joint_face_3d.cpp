@@ -107,7 +107,7 @@ TEST_CASE("integrals over a bonded face are those over many small pieces of it")
     CHECK(face.force == Approx(force).margin(margin));
     CHECK(face.depth_squared == Approx(squared).margin(3 * margin));
     CHECK((face.couple - cross_product({tilted.x(), tilted.y(), 0}, z_axis)).norm() < margin);
-    CHECK(face.twist_radius * face.twist_radius * face.base == Approx(polar).margin(margin));
+    CHECK(face.spread.trace() * face.base == Approx(polar).margin(margin));
     CHECK(face.center == contact.center);
   }
 }

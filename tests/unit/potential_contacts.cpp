@@ -47,7 +47,7 @@ struct TwoInWorld {
 
 }  // namespace
 
-TEST_CASE("a brick that spins under potentials is braked at the radius of gyration of what it shares") {
+TEST_CASE("a brick that spins under potentials is braked at the mean distance of what it shares") {
   const Vector<3> size(1, 0.5, 0.25);
   const Shape<3> plate = shape_of(completed(box({4, 4, 1}))), brick = shape_of(completed(box(size)));
   for (const double sense : {-1.0, 1.0}) {
@@ -55,7 +55,8 @@ TEST_CASE("a brick that spins under potentials is braked at the radius of gyrati
     two.world.set_velocity(two.upper, Vector<3>::Zero(), Vector<3>(0, 0, sense));
     two.put({0.3, -0.2, 0.5 + size.z() / 2 - 1e-3}, 1);
     const double pressed = two.world.blocks().force[std::size_t(two.upper)].z();
-    const double radius = std::sqrt((size.x() * size.x() + size.y() * size.y()) / 12);
+    const double x = size.x() * size.x() / 12, y = size.y() * size.y() / 12;
+    const double radius = mean_distance(x + y, x * y);
     CHECK(pressed > 0);
     CHECK(two.world.blocks().torque[std::size_t(two.upper)].z() == Approx(-sense * 0.6 * pressed * radius));
   }
@@ -74,12 +75,15 @@ TEST_CASE("in space, what blocks share spreads about any line as their overlap d
     const Shape<3> body(part, memory);
     if (body.volume() < 1e-5) continue;
     const Eigen::Matrix3d moment = second_moment_of(body);
-    const double square = (moment.trace() - normal.dot(moment * normal)) / body.volume();
+    // Seen along the line, the body is a figure with the moments of its shadow, which only counts across the
+    // line.
+    const Eigen::Matrix3d shadow = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    const Eigen::Matrix3d seen = shadow * moment * shadow / body.volume();
     ++overlapping;
     const PotentialForce<3> potential = potential_force(a.outline(), b.outline(), to_b, room);
-    // Rounding puts corners off by some 1e-16, and so the radius of a thin body by as much over its volume.
-    CHECK(radius_of_gyration(potential.spread, normal, Vector<3>(Vector<3>::Zero())) ==
-          Approx(std::sqrt(square)).margin(1e-13 / body.volume()));
+    // Rounding puts corners off by some 1e-16, and so the distance in a thin body by as much over its volume.
+    CHECK(mean_distance_from_line(potential.spread, normal) ==
+          Approx(mean_distance(Tensor<3>(seen))).epsilon(1e-7).margin(1e-13 / body.volume()));
   }
   CHECK(overlapping > 100);
 }

@@ -51,7 +51,7 @@ TEST_CASE("a compound sleeps as one member of its island, and wakes with it", "[
   scene.add_floor();
   const hs_block block = scene.add(l_shape());
   const hs_block other = scene.add(l_shape(), {8, 0});
-  run(scene.context.get(), scene.world.get(), 4);
+  run(scene.context.get(), scene.world.get(), 10);  // the longer it is at rest, the longer it sleeps
   CHECK(scene.report().sleeping_count == 6);  // two compounds with two parts each
   const hs_block_state before = scene.state(block);
   scene.step(100);

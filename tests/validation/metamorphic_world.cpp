@@ -12,7 +12,7 @@ namespace {
 using namespace halfspace_test;
 
 constexpr double time_step = 1e-4;
-constexpr int steps = 10000;
+constexpr int steps = 8000;
 
 /// A heap of blocks of all sorts falls into a trough.
 struct Change {

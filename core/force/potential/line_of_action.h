@@ -6,6 +6,7 @@
 
 #include "force/potential/potential_force.h"
 #include "geometry/convex_reach.h"
+#include "geometry/mean_distance.h"
 
 namespace halfspace {
 
@@ -19,7 +20,7 @@ struct LineOfAction {
   Angular<D> couple = Angular<D>::Zero();  // on b, with the force at that point
   double energy = 0;                       // stored
   double stiffness = 0;                    // of the force, along the line
-  double twist_radius = 0;                 // in 3D: radius of gyration of the overlap, about the line
+  double twist_radius = 0;                 // in 3D: mean distance of the overlap from the line
   Vector<D> middle = Vector<D>::Zero();    // centroid of the overlap
   Tensor<D> spread = Tensor<D>::Zero();    // of the overlap: mean of r r^T about its centroid
 
@@ -31,7 +32,7 @@ struct LineOfAction {
     const Tensor<D> shadow = Tensor<D>::Identity() - direction * direction.transpose();
     const Tensor<D> seen = shadow * spread * shadow + spread.trace() * (direction * direction.transpose());
     const double square = across.dot(seen.inverse() * across);
-    return square >= 0 ? std::min(std::sqrt(square) / certain_reach(D), 1.0) : 1;
+    return square >= 0 ? std::min(std::sqrt(square) / certain_reach_of_body, 1.0) : 1;
   }
 };
 
@@ -61,12 +62,13 @@ inline Vector<3> way_to_line(const Vector<3>& force, const Vector<3>& moment) {
   return cross_product(force, moment) / force.squaredNorm();
 }
 
-/// About a line through a point at `arm` from the centroid of a body with this spread.
-inline double radius_of_gyration(const Tensor<2>&, const Vector<2>&, const Vector<2>&) { return 0; }
-inline double radius_of_gyration(const Tensor<3>& spread, const Vector<3>& direction, const Vector<3>& arm) {
-  const double square =
-      spread.trace() - direction.dot(spread * direction) + cross_product(direction, arm).squaredNorm();
-  return std::sqrt(std::max(0.0, square));
+/// Mean distance of a body with this spread from a line through its centroid.
+inline double mean_distance_from_line(const Tensor<2>&, const Vector<2>&) { return 0; }
+inline double mean_distance_from_line(const Tensor<3>& spread, const Vector<3>& direction) {
+  const Vector<3> column = spread * direction;
+  const double along = direction.dot(column), across = spread.trace() - along;
+  const double squares = spread.squaredNorm() - 2 * column.squaredNorm() + along * along;
+  return mean_distance(across, 0.5 * (across * across - squares));
 }
 
 /// `stiffness` is k_n / H. A zero force has the direction between the centroids, and the point halfway. Where
@@ -94,8 +96,7 @@ LineOfAction<D> line_of_action(const PotentialForce<D>& potential, double stiffn
     line.couple -= moment(way, force);
   }
   line.spread = potential.spread;
-  line.twist_radius =
-      radius_of_gyration(potential.spread, line.direction, line.loading_point - potential.centroid);
+  line.twist_radius = mean_distance_from_line(potential.spread, line.direction);
   return line;
 }
 

@@ -1,7 +1,5 @@
 #include "force/spring/joint_face.h"
 
-#include <cmath>
-
 namespace halfspace {
 
 JointFace<2> joint_face(const Contact<2>& contact) {
@@ -39,7 +37,6 @@ JointFace<3> joint_face(const Contact<3>& contact) {
   face.couple = -moment(tilted, contact.normal);
   face.depth_squared = face.base * at_center * at_center + squared;
   face.spread = spread / face.base;
-  face.twist_radius = std::sqrt(face.spread.trace());
   face.center = contact.center;
   return face;
 }

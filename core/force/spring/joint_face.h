@@ -12,8 +12,7 @@ struct JointFace {
   double force = 0;
   Angular<D> couple = Angular<D>::Zero();  // on b, about the centre
   double depth_squared = 0;                // integral: twice the energy
-  double twist_radius = 0;
-  Tensor<D> spread = Tensor<D>::Zero();  // mean of r r^T about the centre
+  Tensor<D> spread = Tensor<D>::Zero();    // mean of r r^T about the centre
   Vector<D> center = Vector<D>::Zero();
 };
 

@@ -1,9 +1,11 @@
 #include "force/spring/point_springs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/angle.h"
+#include "geometry/mean_distance.h"
 
 namespace halfspace {
 namespace {
@@ -137,13 +139,57 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
   return springs;
 }
 
-double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* weight) {
-  double all = 0, squared = 0;
-  for (int i = 0; i < contact.point_count; ++i) {
-    all += weight[i];
-    squared += weight[i] * (contact.points[i] - center).squaredNorm();
+/// The gap is linear over the region, so the overlap ends at a straight line. The sums are those of the
+/// region's projection along the axis nearest to the normal.
+LoadedPart loaded_part(const Contact<3>& contact, bool bonded) {
+  const int count = contact.point_count;
+  const auto carries = [&](int i) { return bonded || contact.gaps[i] <= 0; };
+  const auto part_to_end = [&](int i, int j) {
+    return contact.gaps[i] / (contact.gaps[i] - contact.gaps[j]);
+  };
+  if (count == 1) return {contact.center, 0};
+  if (count == 2) {
+    Vector<3> first = contact.points[0], second = contact.points[1];
+    if (carries(0) != carries(1)) (carries(0) ? second : first) = first + part_to_end(0, 1) * (second - first);
+    return {0.5 * (first + second), (second - first).norm() / 4};
   }
-  return std::sqrt(squared / all);
+  int z = 0;
+  contact.normal.cwiseAbs().maxCoeff(&z);
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  const auto seen = [&](int i) { return Vector<2>(contact.points[i][x], contact.points[i][y]); };
+  Vector<2> corners[max_region_points + 2];
+  int kept = 0;
+  for (int i = 0, before = count - 1; i < count; before = i++) {
+    if (carries(before) != carries(i))
+      corners[kept++] = seen(before) + part_to_end(before, i) * (seen(i) - seen(before));
+    if (carries(i)) corners[kept++] = seen(i);
+  }
+  double area = 0, xx = 0, xy = 0, yy = 0;
+  Vector<2> sum(0, 0);
+  for (int i = 1; i + 1 < kept; ++i) {
+    const Vector<2> p = corners[i] - corners[0], q = corners[i + 1] - corners[0], r = p + q;
+    const double part = cross(p, q);
+    area += part;
+    sum += part * r;
+    xx += part * (p.x() * p.x() + q.x() * q.x() + r.x() * r.x());
+    xy += part * (p.x() * p.y() + q.x() * q.y() + r.x() * r.y());
+    yy += part * (p.y() * p.y() + q.y() * q.y() + r.y() * r.y());
+  }
+  if (!(area > 0)) return {contact.center, 0};
+  const double share = 1 / (12 * area), steepness = 1 / contact.normal[z];
+  const Vector<2> mean = 4 * share * sum,
+                  slope(steepness * contact.normal[x], steepness * contact.normal[y]);
+  xx = share * xx - mean.x() * mean.x();
+  xy = share * xy - mean.x() * mean.y();
+  yy = share * yy - mean.y() * mean.y();
+  const double zz = slope.x() * slope.x() * xx + 2 * slope.x() * slope.y() * xy + slope.y() * slope.y() * yy;
+  LoadedPart part;
+  part.middle[x] = corners[0].x() + mean.x();
+  part.middle[y] = corners[0].y() + mean.y();
+  part.middle[z] = contact.center[z] - slope.dot(Vector<2>(part.middle[x] - contact.center[x],
+                                                           part.middle[y] - contact.center[y]));
+  part.mean_distance = mean_distance(xx + yy + zz, (xx * yy - xy * xy) * (1 + slope.squaredNorm()));
+  return part;
 }
 
 }  // namespace halfspace

@@ -33,9 +33,12 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }
 
-/// Radius of gyration of the springs' forces about the normal through their centre. `weight`: the forces at
-/// the points, or their parts of the stiffness.
-inline double twist_radius(const Contact<2>&, const Vector<2>&, const double*) { return 0; }
-double twist_radius(const Contact<3>& contact, const Vector<3>& center, const double* weight);
+/// The part of a contact's region in which the blocks overlap, or all of it where they are bonded: there shear
+/// acts.
+struct LoadedPart {
+  Vector<3> middle;
+  double mean_distance;  // of its points from the middle
+};
+LoadedPart loaded_part(const Contact<3>& contact, bool bonded);
 
 }  // namespace halfspace

@@ -52,17 +52,17 @@ struct Pressure {
   }
 
   /// Bound of the distance between the centre of pressure and the middle of the base, divided by the certain
-  /// extent of the base; at most 1. It is 0 for a constant depth; in 2D 1/3 for one that is 0 at one end. The
-  /// pressure at ends of the base shifts the centre besides.
+  /// extent of the base; at most 1. It is 0 for a constant depth. The pressure at ends of the base shifts the
+  /// centre besides.
   double unevenness() const {
     const double onto_face = face_normal.dot(force), extent = certain_extent();
     const double mean_square = 2 * energy * base / (onto_face * onto_face);
-    const double of_depth = mean_square > 1 ? std::sqrt(mean_square - 1) / certain_reach(D - 1) : 0;
+    const double of_depth = mean_square > 1 ? std::sqrt(mean_square - 1) / certain_reach_of_area : 0;
     return std::min(std::max(of_depth, extent > 0 ? way_to_center().norm() / extent : 1), 1.0);
   }
 
  private:
-  double certain_extent() const { return certain_reach(D - 1) * std::sqrt(std::max(spread.trace(), 0.0)); }
+  double certain_extent() const { return certain_reach_of_area * std::sqrt(std::max(spread.trace(), 0.0)); }
   /// A common strain of both blocks changes the energy by its trace and by the strain along the face's
   /// normal.
   Tensor<D> of_fluid() const {

@@ -7,9 +7,9 @@ namespace halfspace {
 
 /// Shear of a contact, as a force on b or a slip of b relative to a: in 2D the component along the tangent
 /// perpendicular(normal). In 3D a vector in the contact plane, and as a fourth component the twist about the
-/// normal, at the radius of gyration of the contact's pressure: a twist is a slip there, and a twisting
-/// moment a force. So both share one stiffness and one limit of friction, an ellipsoid (Howe and Cutkosky
-/// 1996).
+/// normal, at the mean distance of the base's points from its middle: a twist is a slip there, and a
+/// twisting moment a force. A base that only twists has the moment of even pressure. So both share one
+/// stiffness and one limit of friction, an ellipsoid (Howe and Cutkosky 1996).
 template <int D>
 using Shear = Vector<D == 2 ? 1 : 4>;
 
@@ -31,6 +31,8 @@ struct ShearSpring<3> {
   Shear<3> force = Shear<3>::Zero();
   double stiffness = 0;                  // of the spring with this force
   Vector<3> normal = Vector<3>::Zero();  // of the contact plane of the force
+  Vector<3> arm = Vector<3>::Zero();     // by potentials: from midway between the centroids to where it acts
+  double reserved = 0;                   // explicit padding, so that all saved bytes are defined
 };
 
 /// The energy of a spring of this stiffness with this force.
@@ -59,8 +61,16 @@ inline void remember(ShearSpring<2>& spring, const Shear<2>& force, double stiff
 }
 inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double stiffness,
                      const Vector<3>& normal) {
-  spring = {force, stiffness, normal};
+  spring.force = force;
+  spring.stiffness = stiffness;
+  spring.normal = normal;
 }
+
+/// The overlap of potentials has a centroid, but no base whose middle stays where it is. So the wrench of the
+/// stored force is carried: where it comes to act at another point, it gets the moment about the normal that
+/// it had there.
+double moment_by_move(ShearSpring<3>& spring, const Shear<3>& force, const Vector<3>& point,
+                      const Vector<3>& normal, const PairMotion<3>& motion, double elapsed);
 
 /// Slip velocity at a point with the given velocity of b relative to a.
 inline Shear<2> slip_velocity(const Vector<2>& velocity, const Vector<2>& normal, const PairMotion<2>&,
@@ -91,7 +101,6 @@ inline Shear<3> shear_of(const Vector<3>& force, const Vector<3>& normal) {
 }
 
 /// The moment on b about the normal.
-inline Angular<2> twisting_moment(const Shear<2>&, const Vector<2>&, double) { return Angular<2>::Zero(); }
 inline Angular<3> twisting_moment(const Shear<3>& shear, const Vector<3>& normal, double twist_radius) {
   return twist_radius * shear[3] * normal;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "force/spring/joint_face.h"
 #include "force/spring/point_springs.h"
+#include "geometry/mean_distance.h"
 
 namespace halfspace {
 
@@ -33,11 +33,9 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
                                                       const PointSprings<D>& springs,
                                                       const PairMotion<D>& motion, bool bonded,
                                                       ContactEnergy& energy) const {
-  constexpr std::size_t most_points = std::extent_v<decltype(Contact<D>::gaps)>;
   NormalPart normal;
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
-  double force_at[most_points] = {};
   const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
   // The opening velocity is linear over the contact plane. In 2D its slope is of no use for two points.
   double opening_at_first = 0;
@@ -62,12 +60,10 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
       weighted_viscous += viscous * contact.points[i];
     }
     energy.strain += 0.5 * elastic * depth;
-    force_at[i] = elastic + viscous;
-    normal.force += force_at[i];
-    weighted += force_at[i] * contact.points[i];
+    normal.force += elastic + viscous;
+    weighted += (elastic + viscous) * contact.points[i];
   }
-  const bool has_center = normal.force > 0 && !bonded;
-  if (has_center) {
+  if (normal.force > 0 && !bonded) {
     normal.center = weighted / normal.force;
   } else {
     // A bond has tension at one end and compression at the other: without a centre it has a couple.
@@ -79,14 +75,20 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
     normal.viscous_couple = moment(moment_arm, contact.normal);
   }
-  if (D == 3 && contact.point_count > 1)
-    normal.twist_radius = twist_radius(contact, normal.center, has_center ? force_at : springs.part);
+  if constexpr (D == 3) {
+    if (law_.resists_shear()) {
+      const LoadedPart part = loaded_part(contact, bonded);
+      normal.middle = part.middle;
+      normal.twist_radius = part.mean_distance;
+    }
+  } else {
+    normal.middle = normal.center;  // anywhere on the line of shear
+  }
   return normal;
 }
 
-/// The stiffness per area times the pressure; its whole moment is about the middle of the base, where the
-/// shear spring is: a point that moved with the pressure would let a block that rolls turn about its normal,
-/// too. The springs of an intact bond are distributed over its common face.
+/// The stiffness per area times the pressure. The springs of an intact bond are distributed over its common
+/// face.
 template <int D>
 typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact, const Pressure<D>& pressure,
                                                       const PairMotion<D>& motion, bool bonded,
@@ -96,25 +98,26 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   if (bonded && is_joint_face(contact)) {
     const JointFace<D> face = joint_face(contact);
     normal.base = face.base;
-    normal.center = face.center;
-    normal.twist_radius = face.twist_radius;
+    normal.center = normal.middle = face.center;
     normal.force = law_.normal_stiffness * face.force;
     normal.couple = law_.normal_stiffness * face.couple;
     energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
     bed.spread = face.spread;
   } else {
     normal.base = pressure.base;
-    normal.center = pressure.middle;
-    normal.twist_radius = std::sqrt(std::max(pressure.spread.trace(), 0.0));
+    const Vector<D> way = pressure.way_to_center();
+    normal.middle = pressure.middle;
+    normal.center = pressure.middle + way;
     normal.force = law_.normal_stiffness * pressure.normal_force();
-    normal.couple = law_.normal_stiffness * pressure.couple();
+    normal.couple = law_.normal_stiffness * (pressure.couple() - moment(way, pressure.force));
     energy.strain += law_.normal_stiffness * pressure.energy;
     bed.spread = pressure.spread;
     bed.unevenness = pressure.unevenness();
   }
-  bed.middle = normal.center;
+  normal.twist_radius = mean_distance(bed.spread);
+  bed.middle = normal.middle;
   bed.stiffness = law_.normal_stiffness * normal.base;
-  bed.reach = certain_reach(D - 1);
+  bed.reach = certain_reach_of_area;
   damp(direction_of(contact, pressure, bonded), motion, bonded, bed, normal);
   return normal;
 }
@@ -145,12 +148,18 @@ void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bo
 template <int D>
 typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, const Vector<D>& direction,
                                                       const PairMotion<D>& motion,
-                                                      const ShearSpring<D>& spring) const {
+                                                      ShearSpring<D>& spring) const {
   ShearTrial trial;
   if (!law_.resists_shear()) return trial;
   trial.stiffness = whole_stiffness(law_.shear_stiffness, normal);
-  trial.velocity = slip_velocity(motion.relative_at(normal.center), direction, motion, normal.twist_radius);
-  trial.before = trial.force = carried(spring, direction, motion, elapsed_);
+  trial.velocity = slip_velocity(motion.relative_at(normal.middle), direction, motion, normal.twist_radius);
+  trial.before = carried(spring, direction, motion, elapsed_);
+  if constexpr (D == 3) {
+    if (law_.is_potential() && normal.twist_radius > 0)
+      trial.before[3] += moment_by_move(spring, trial.before, normal.middle, direction, motion, elapsed_) /
+                         normal.twist_radius;
+  }
+  trial.force = trial.before;
   if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
   trial.force -= trial.stiffness * (elapsed_ * trial.velocity);
   return trial;
@@ -178,10 +187,11 @@ bool Spring<D>::is_torn(const NormalPart& normal) const {
   return -elastic > stiffness * touch_reach * size;
 }
 
-/// Incremental shear spring with the Mohr-Coulomb limit (eqs. 37-40). Where its stiffness decreases, as with
-/// the area, the removed springs take their force and energy with them; where it increases, only new slip is
-/// stiffer, and of the stored energy only the recoverable part counts (Elata and Berryman 1996). So a spring
-/// never releases more than it stored.
+/// Incremental shear spring with the Mohr-Coulomb limit (eqs. 37-40), in the middle of the base: at a point
+/// that moved with the pressure it would let a block that rolls turn about its normal, too. Where its
+/// stiffness decreases, as with the area, the removed springs take their force and energy with them; where it
+/// increases, only new slip is stiffer, and of the stored energy only the recoverable part counts (Elata and
+/// Berryman 1996). So a spring never releases more than it stored.
 template <int D>
 typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, const ShearTrial& trial,
                                                      const Vector<D>& direction, ShearSpring<D>& spring,
@@ -220,8 +230,11 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
   if (!law_.resists_shear()) return load;
   const ShearPart shear = shear_force(normal, trial, direction, spring, bonded, energy);
   const auto add = [&](const Shear<D>& part, auto& to) {
-    to.force += shear_vector(part, direction);
-    to.couple += twisting_moment(part, direction, normal.twist_radius);
+    const Vector<D> force = shear_vector(part, direction);
+    to.force += force;
+    if constexpr (D == 3)
+      to.couple += twisting_moment(part, direction, normal.twist_radius) +
+                   moment(normal.middle - normal.center, force);
   };
   add(shear.force, load.contact);
   if (law_.shear_damping > 0) add(shear.viscous, load.viscous);
@@ -257,18 +270,11 @@ PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const PointSprings<D>
   return evaluate_with(springs, contact, motion, spring, bonded, energy);
 }
 
-/// The force acts at the centre of pressure.
 template <int D>
 PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Pressure<D>& pressure,
                                 const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
                                 ContactEnergy& energy) const {
-  PairLoad<D> load = evaluate_with(pressure, contact, motion, spring, bonded, energy);
-  if (bonded && is_joint_face(contact)) return load;
-  const Vector<D> way = pressure.way_to_center();
-  load.contact.point += way;
-  load.contact.couple -= moment(way, load.contact.force);
-  if (law_.is_damped()) load.viscous.couple -= moment(way, load.viscous.force);
-  return load;
+  return evaluate_with(pressure, contact, motion, spring, bonded, energy);
 }
 
 template <int D>
@@ -277,11 +283,11 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
   NormalPart normal;
   normal.force = line.force;
   normal.couple = line.couple;
-  normal.center = line.loading_point;
+  normal.center = normal.middle = line.loading_point;
   normal.twist_radius = line.twist_radius;
   energy.strain += line.energy;
   damp(line.direction, motion, false,
-       {line.stiffness, line.middle, line.spread, certain_reach(D), line.unevenness()}, normal);
+       {line.stiffness, line.middle, line.spread, certain_reach_of_body, line.unevenness()}, normal);
   const ShearTrial trial = shear_trial(normal, line.direction, motion, spring);
   return load(normal, trial, line.direction, spring, false, energy);
 }

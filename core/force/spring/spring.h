@@ -77,10 +77,11 @@ class Spring {
  private:
   struct NormalPart {
     double force = 0;
-    double base = 0;  // length or area, for cohesion and shear stiffness per area
-    double twist_radius = 0;
+    double base = 0;                         // length or area, for cohesion and shear stiffness per area
+    double twist_radius = 0;                 // mean distance of the base's points from its middle
     Angular<D> couple = Angular<D>::Zero();  // on b, with the force at the centre
     Vector<D> center = Vector<D>::Zero();
+    Vector<D> middle = Vector<D>::Zero();            // of the base, where shear acts
     double viscous_force = 0;                        // the dashpots' part of the force
     Angular<D> viscous_couple = Angular<D>::Zero();  // and of the couple
   };
@@ -120,7 +121,7 @@ class Spring {
             NormalPart& normal) const;
   [[gnu::always_inline]] inline ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction,
                                                        const PairMotion<D>& motion,
-                                                       const ShearSpring<D>& spring) const;
+                                                       ShearSpring<D>& spring) const;
   /// The stiffness of all springs of the base together.
   double whole_stiffness(double stiffness, const NormalPart& normal) const {
     return law_.stiffness_kind == StiffnessKind::per_area ? stiffness * normal.base : stiffness;

@@ -39,12 +39,17 @@ typename ForcePass<D>::Evaluation ForcePass<D>::begin(double elapsed) const {
   return {elapsed, model_.materials.laws().knows_potential() ? model_.potential_length() : 0};
 }
 
-/// The relative motion of the blocks of a pair.
+/// The relative motion of the blocks of a pair. After a motion, velocities are those of its middle. They are
+/// turned to its end, where forces and arms are, by half of the pair's mean rotation: then two blocks that
+/// turn as one, by any angle, have no relative motion.
 template <int D>
 PairMotion<D> ForcePass<D>::motion_of(const Candidate<D>& pair, Evaluation& evaluation) const {
   const std::size_t a = std::size_t(pair.a), b = std::size_t(pair.b);
+  const Array<Angular<D>>& spin = evaluation.elapsed > 0 ? blocks_.mean_spin : blocks_.spin;
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
-                       blocks_.spin[a], blocks_.spin[b]};
+                       spin[a], spin[b]};
+  const Angular<D> half_turn = 0.25 * evaluation.elapsed * (motion.spin_a + motion.spin_b);
+  motion.velocity += swept(half_turn, motion.velocity);
   if (blocks_.has_deformable()) motion.strain_rates = strain_rates_of(a, b, evaluation);
   return motion;
 }

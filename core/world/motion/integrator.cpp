@@ -72,6 +72,7 @@ void Integrator<D>::sample_energy(std::size_t i, const Vector<D>& opposed, const
 
 template <int D>
 void Integrator<D>::look_what_moves() {
+  blocks_.forget_motion();
   any_moves_.assign(chunk_count(blocks_.slot_count(), blocks_per_chunk), 0);
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) any_moves_[i / blocks_per_chunk] |= blocks_.moves(i);
 }
@@ -125,7 +126,11 @@ template <int D>
 void Integrator<D>::kick_and_drift() {
   const double half = 0.5 * duration_;
   const auto move = [&](std::size_t i) {
-    if (sleep_.is_asleep(i) || blocks_.is_part(i) || share_.is_idle(i)) return;
+    if (blocks_.is_part(i) || share_.is_idle(i)) return;
+    if (sleep_.is_asleep(i)) {
+      blocks_.mean_spin[i].setZero();
+      return;
+    }
     if (blocks_.kind[i] == BlockKind::rigid) {
       blocks_.push(i, half * acceleration_[i], half * momentum_rate_[i]);
       if (!kicks_.empty()) blocks_.push(i, kicks_.of_block(i), kicks_.momentum(i));
@@ -137,7 +142,7 @@ void Integrator<D>::kick_and_drift() {
       blocks_.velocity[i] += half * acceleration_[i];
       blocks_.spin[i] += half * momentum_rate_[i];
     }
-    blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i]);
+    blocks_.drift(std::int32_t(i), duration_ * blocks_.velocity[i], next_rotation_[i], duration_);
     if constexpr (D == 2) blocks_.angle[i] += duration_ * blocks_.spin[i][0];
   };
   for_each_chunk(threads_, blocks_.slot_count(), blocks_per_chunk, [&](const Chunk& chunk) {
@@ -146,9 +151,21 @@ void Integrator<D>::kick_and_drift() {
   });
   for (const Part<D>& part : blocks_.compounds().parts()) {
     if (blocks_.moves(std::size_t(part.compound)) && !sleep_.is_asleep(std::size_t(part.compound)))
-      blocks_.follow(part);
+      follow_motion(part);
   }
   meshes_.kick_and_drift(duration_);
+}
+
+/// A part moves with its compound. Until the kick its velocity is the mean one.
+template <int D>
+void Integrator<D>::follow_motion(const Part<D>& part) {
+  const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
+  blocks_.follow(part);
+  blocks_.mean_spin[p] = blocks_.mean_spin[c];
+  const Angular<D> half_turn = 0.5 * duration_ * blocks_.mean_spin[c];
+  const Vector<D> at_end = swept(blocks_.mean_spin[c], blocks_.arm_of(p));
+  blocks_.velocity[p] =
+      blocks_.velocity[c] + (at_end - swept(half_turn, at_end)) / (1 + half_turn.squaredNorm());
 }
 
 template <int D>
@@ -269,6 +286,7 @@ void Integrator<D>::kick(std::size_t i, EnergySample& sample) {
   template void Integrator<D>::accelerate(std::size_t);                               \
   template void Integrator<D>::look_what_moves();                                     \
   template EnergySample Integrator<D>::begin(double, double&);                        \
+  template void Integrator<D>::follow_motion(const Part<D>&);                         \
   template void Integrator<D>::follow_velocities();                                   \
   template Vector<D> Integrator<D>::acceleration_of(const MaterialPoint<D>&) const;   \
   template void Integrator<D>::kick_and_drift();                                      \

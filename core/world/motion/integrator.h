@@ -213,6 +213,7 @@ class Integrator {
   bool predict_parts(Plan& plan);
   Vector<D> predicted_displacement_of_part(std::size_t block) const;
   void announce_displacements();
+  void follow_motion(const Part<D>& part);
   void follow_velocities();
   void kick(std::size_t block, EnergySample& sample);
   void kick_asleep(std::size_t block, EnergySample& sample) const;

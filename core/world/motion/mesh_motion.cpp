@@ -265,7 +265,7 @@ void MeshMotion<D>::kick_and_drift(double duration) {
     if (!kicks_.empty()) meshes_.velocity[i] += kicks_.of_node(i);
     meshes_.place[i] += duration * meshes_.velocity[i];
   });
-  for_each_surface_cell([&](std::size_t c) { model_.blocks.follow_nodes(meshes_.surface()[c]); });
+  for_each_surface_cell([&](std::size_t c) { model_.blocks.follow_nodes(meshes_.surface()[c], duration); });
 }
 
 template <int D>
