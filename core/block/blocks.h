@@ -248,8 +248,8 @@ class Blocks {
   Array<Angular<D>> spin;
   Array<Angular<D>> mean_spin;  // in the last motion: times its duration and the mean of the arms of a point
                                 // at both ends, the point's displacement by rotation
-  Array<Angular<D>> momentum;  // angular
-  Array<Angular<D>> torque;    // of the contacts
+  Array<Angular<D>> momentum;   // angular
+  Array<Angular<D>> torque;     // of the contacts
   Array<Angular<D>> applied_torque;
   Array<double> mass;
   Array<Inertia<D>> inertia;

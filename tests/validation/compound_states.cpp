@@ -52,7 +52,7 @@ TEST_CASE("a compound sleeps as one member of its island, and wakes with it", "[
   const hs_block block = scene.add(l_shape());
   const hs_block other = scene.add(l_shape(), {8, 0});
   run(scene.context.get(), scene.world.get(), 10);  // the longer it is at rest, the longer it sleeps
-  CHECK(scene.report().sleeping_count == 6);  // two compounds with two parts each
+  CHECK(scene.report().sleeping_count == 6);        // two compounds with two parts each
   const hs_block_state before = scene.state(block);
   scene.step(100);
   CHECK(apart(scene.state(block), before) == 0);

@@ -19,7 +19,7 @@ def _rock(dimension: int, table: str, context: Optional[Context], keys: Mapping[
         {
             "dimension": dimension,
             "world": {"duration": 1.0},
-            "default_law": {"stiffness": "per contact", "normal_stiffness": 1e9, "friction_angle": 30},
+            "default_law": {"stiffness": "per area", "normal_stiffness": 1e9, "friction_angle": 30},
             "material": [{"name": "rock", "density": 2500}],
             table: [{"name": "rock", "material": "rock", **given}],
         },

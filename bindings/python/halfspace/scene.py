@@ -35,7 +35,7 @@ class Scene(Searches):
     >>> scene = Scene.loads('''
     ... dimension = 2
     ... world.duration = 0.1
-    ... default_law = { stiffness = "per contact", normal_stiffness = 1e8, friction_angle = 30 }
+    ... default_law = { stiffness = "per area", normal_stiffness = 1e8, friction_angle = 30 }
     ... material = [{ name = "stone", density = 2500 }]
     ... [[block]]
     ... name = "stone"

@@ -150,7 +150,8 @@ LoadedPart loaded_part(const Contact<3>& contact, bool bonded) {
   if (count == 1) return {contact.center, 0};
   if (count == 2) {
     Vector<3> first = contact.points[0], second = contact.points[1];
-    if (carries(0) != carries(1)) (carries(0) ? second : first) = first + part_to_end(0, 1) * (second - first);
+    if (carries(0) != carries(1))
+      (carries(0) ? second : first) = first + part_to_end(0, 1) * (second - first);
     return {0.5 * (first + second), (second - first).norm() / 4};
   }
   int z = 0;
@@ -177,8 +178,7 @@ LoadedPart loaded_part(const Contact<3>& contact, bool bonded) {
   }
   if (!(area > 0)) return {contact.center, 0};
   const double share = 1 / (12 * area), steepness = 1 / contact.normal[z];
-  const Vector<2> mean = 4 * share * sum,
-                  slope(steepness * contact.normal[x], steepness * contact.normal[y]);
+  const Vector<2> mean = 4 * share * sum, slope(steepness * contact.normal[x], steepness * contact.normal[y]);
   xx = share * xx - mean.x() * mean.x();
   xy = share * xy - mean.x() * mean.y();
   yy = share * yy - mean.y() * mean.y();

@@ -33,8 +33,8 @@ PointSprings<3> point_springs(const Outline<3>& a, const Outline<3>& b, const Ve
 inline double base_of(const Contact<2>& contact) { return contact.length; }
 inline double base_of(const Contact<3>& contact) { return contact.area; }
 
-/// The part of a contact's region in which the blocks overlap, or all of it where they are bonded: there shear
-/// acts.
+/// The part of a contact's region in which the blocks overlap, or all of it where they are bonded: there
+/// shear acts.
 struct LoadedPart {
   Vector<3> middle;
   double mean_distance;  // of its points from the middle

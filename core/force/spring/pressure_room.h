@@ -58,8 +58,19 @@ struct OverlapFace {
 struct OverlapBody {
   explicit OverlapBody(Memory* memory) : faces(memory), corners(memory) {}
 
+  void clear() {
+    faces.clear();
+    corners.clear();
+  }
+
   Array<OverlapFace> faces;
   Array<Vector<3>> corners;  // relative to the centroid of a
+};
+
+/// A vertex of a block, and its depth below the first face.
+struct PlacedVertex {
+  Vector<3> at;
+  double depth;
 };
 
 /// An edge of the face that a cut leaves.
@@ -70,7 +81,8 @@ struct RimEdge {
 
 template <>
 struct PressureRoom<3> {
-  explicit PressureRoom(Memory* memory) : overlap(memory), clipped(memory), rim(memory), is_inside(memory) {}
+  explicit PressureRoom(Memory* memory)
+      : overlap(memory), clipped(memory), rim(memory), vertices(memory), is_below(memory) {}
 
   /// Reserves for two blocks of up to `edges` edges. The overlap is convex: with the faces of both blocks, at
   /// most two thirds of their edges, it has at most three times as many edges, each a side of two faces.
@@ -80,13 +92,15 @@ struct PressureRoom<3> {
       body->corners.reserve(8 * edges);
     }
     rim.reserve(2 * edges);
-    is_inside.reserve(edges);
+    vertices.reserve(edges);
+    is_below.reserve(edges);
   }
 
   OverlapBody overlap;
   OverlapBody clipped;
   Array<RimEdge> rim;
-  Array<std::uint8_t> is_inside;  // per vertex of a block
+  Array<PlacedVertex> vertices;  // of a block
+  Array<std::uint8_t> is_below;  // per face of it: has it a vertex below the first face?
 };
 
 }  // namespace halfspace

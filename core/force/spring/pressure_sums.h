@@ -53,11 +53,20 @@ bool are_parallel(const Vector<D>& normal, const Vector<D>& other) {
   return normal.dot(other) >= 1 - 0.5 * touch_reach * touch_reach;
 }
 
-/// The part of a side on which the pressure acts: a side that both blocks share counts half for each.
+/// The part of a side on which the owner of the contact face keeps the pressure from the other block: a side
+/// that both blocks share counts half for each. On the face itself there is none.
 template <class Side, int D>
-double pressed_part(const Side& side, const PressureFace<D>& face) {
-  return side.is_shared ? 0.5 : side.block != face.block;
+double kept_part(const Side& side, const PressureFace<D>& face) {
+  if (side.is_shared) return 0.5;
+  return side.block == face.block && side.face != face.face;
 }
+
+/// The volume of the overlap, in 2D its area, and its centroid.
+template <int D>
+struct OverlapVolume {
+  double volume = 0;
+  Vector<D> centroid = Vector<D>::Zero();
+};
 
 template <int D>
 Pressure<D> no_pressure(const PressureFace<D>& face) {
@@ -67,23 +76,22 @@ Pressure<D> no_pressure(const PressureFace<D>& face) {
   return pressure;
 }
 
-/// Sums over the surface of the overlap, with positions from the centroid of a.
+/// Sums over the surface of the overlap, with positions from the centroid of a. The pressure on the whole
+/// surface follows from the volume by the divergence theorem; what is kept by sides of the owner is
+/// subtracted.
 template <int D>
 struct PressureSums {
-  double energy = 0;
-  double depth = 0;                      // greatest
-  Vector<D> force = Vector<D>::Zero();   // on the block that does not own the face
-  Tensor<D> virial = Tensor<D>::Zero();  // force times position^T
+  double depth = 0;                           // greatest
+  Vector<D> kept = Vector<D>::Zero();         // force of the pressure on those sides
+  Tensor<D> kept_virial = Tensor<D>::Zero();  // force times position^T
   double base = 0;
   Vector<D> base_moment = Vector<D>::Zero();
   Tensor<D> base_spread = Tensor<D>::Zero();
 
-  bool is_empty() const { return !(energy > 0 && base > 0); }
-
-  /// The pressure on a part of the surface: its depth, and the depth times the position, integrated.
-  void add_pressure(const Vector<D>& normal, double depth, const Vector<D>& moment) {
-    force -= depth * normal;
-    virial -= normal * moment.transpose();
+  /// A part of the surface that the owner keeps: its depth, and the depth times the position, integrated.
+  void keep(const Vector<D>& normal, double depth, const Vector<D>& moment) {
+    kept -= depth * normal;
+    kept_virial -= normal * moment.transpose();
   }
 
   /// A part of the base: the shadow of a segment or a triangle, with this length or area.
@@ -100,9 +108,15 @@ struct PressureSums {
         area / 12 * (p * p.transpose() + q * q.transpose() + r * r.transpose() + sum * sum.transpose());
   }
 
-  /// The pressure in an overlap with this centroid, whose depth the middle gets.
+  /// The middle gets the depth of the overlap's centroid.
   Pressure<D> pressure(const PotentialPair<D>& pair, const PressureFace<D>& face,
-                       const Vector<D>& centroid) const {
+                       const OverlapVolume<D>& overlap) const {
+    const auto& [volume, centroid] = overlap;
+    const double energy = volume * face.depth(centroid);
+    if (!(energy > 0 && base > 0)) return no_pressure(face);
+    const Vector<D> force = volume * face.normal - kept;
+    const Tensor<D> virial =
+        volume * face.normal * centroid.transpose() - energy * Tensor<D>::Identity() - kept_virial;
     const double on_b = face.block == 0 ? 1 : -1;
     const Vector<D> mean = base_moment / base;
     const Tensor<D> spread = base_spread / base - mean * mean.transpose();

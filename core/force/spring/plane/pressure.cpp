@@ -89,7 +89,7 @@ void cut_by_owner(const Face& face, const Placed& owner, int edge, double reach,
   }
 }
 
-Vector<2> centroid_of(std::span<const OverlapCorner> overlap) {
+OverlapVolume<2> area_of(std::span<const OverlapCorner> overlap) {
   const Vector<2>& apex = overlap.front().at;
   double twice_area = 0;
   Vector<2> moment = Vector<2>::Zero();
@@ -99,22 +99,20 @@ Vector<2> centroid_of(std::span<const OverlapCorner> overlap) {
     twice_area += twice;
     moment += twice * (p + q);
   }
-  return twice_area > 0 ? Vector<2>(apex + moment / (3 * twice_area)) : apex;
+  if (!(twice_area > 0)) return {0, apex};
+  return {0.5 * twice_area, apex + moment / (3 * twice_area)};
 }
 
-/// By the divergence theorem the depth integrated over the overlap is an integral over its sides.
 PressureSums<2> sums_below(const Face& face, std::span<const OverlapCorner> overlap) {
   PressureSums<2> sums;
   for_each_side(overlap, [&](const Side& side) {
     const Vector<2>&p = side.start.at, &q = side.end.at, &normal = side.start.normal;
-    const double here = face.depth(p), next = face.depth(q), length = side.length();
-    const double faces_down = -face.normal.dot(normal);
+    const double here = face.depth(p), next = face.depth(q);
     sums.depth = std::max(sums.depth, here);
-    sums.energy += faces_down * length / 6 * (here * here + here * next + next * next);
-    const double pressed = pressed_part(side.start, face) * length;
-    sums.add_pressure(normal, pressed / 2 * (here + next),
-                      pressed / 6 * (here * (2 * p + q) + next * (p + 2 * q)));
-    if (faces_down > 0) sums.add_base(p, q, faces_down * length);
+    if (const double part = kept_part(side.start, face) * side.length(); part > 0)
+      sums.keep(normal, part / 2 * (here + next), part / 6 * (here * (2 * p + q) + next * (p + 2 * q)));
+    const double faces_up = face.normal.dot(normal);
+    if (faces_up > 0) sums.add_base(p, q, faces_up * side.length());
   });
   return sums;
 }
@@ -142,12 +140,9 @@ Pressure<2> pressure_between(const Outline<2>& a, const Outline<2>& b, const Vec
     find_overlap(blocks, first, pair, room);
     const std::span<const OverlapCorner> overlap = room.overlap;
     if (overlap.size() < 3) return no_pressure(first);
-    const Vector<2> centroid = centroid_of(overlap);
-    const Face face = least_face(blocks, first, overlap, centroid);
-    if (face.is_same(first) || is_second) {
-      const PressureSums<2> sums = sums_below(face, overlap);
-      return sums.is_empty() ? no_pressure(face) : sums.pressure(pair, face, centroid);
-    }
+    const OverlapVolume<2> area = area_of(overlap);
+    const Face face = least_face(blocks, first, overlap, area.centroid);
+    if (face.is_same(first) || is_second) return sums_below(face, overlap).pressure(pair, face, area);
     pair = {face.block, face.face, face.block == pair.owner ? pair.vertex : 0};
   }
 }

@@ -35,63 +35,42 @@ std::span<const Vector<3>> corners_of(const OverlapFace& face, const OverlapBody
   return {body.corners.data() + face.first, body.corners.data() + face.end};
 }
 
-/// The faces of a block that have a vertex below the first face.
-void begin_below(const Face& first, const Placed& block, PressureRoom<3>& room) {
-  OverlapBody& body = room.overlap;
-  body.faces.clear();
-  body.corners.clear();
-  room.is_inside.clear();
-  for (int v = 0; v < block.outline.vertex_count(); ++v)
-    room.is_inside.push_back(first.depth(block.vertex(v)) > 0);
-  const auto is_inside = [&](std::int32_t v) { return room.is_inside[std::size_t(v)] != 0; };
-  for (int f = 0; f < block.outline.face_count(); ++f) {
-    const auto vertices = vertices_of(block, f);
-    if (std::none_of(vertices.begin(), vertices.end(), is_inside)) continue;
-    const std::int32_t begin = std::int32_t(body.corners.size());
-    for (const std::int32_t v : vertices) body.corners.push_back(block.vertex(v));
-    body.faces.push_back({block.outline.normal(f), block.block, f, flush_of(block, f), false, begin,
-                          std::int32_t(body.corners.size())});
-  }
-}
-
 /// Appends the part of a face below a plane, and its edges on the plane to the rim: by rounding a face with
-/// corners close together may have several. Points on the plane are outside.
-void cut_face(const OverlapFace& face, const Face& plane, PressureRoom<3>& room) {
-  const auto corners = corners_of(face, room.overlap);
-  Array<Vector<3>>& part = room.clipped.corners;
-  const std::size_t begin = part.size(), rim_begin = room.rim.size();
-  const Vector<3>* before = &corners.back();
-  double depth_before = plane.depth(*before);
+/// corners close together may have several. Points on the plane are outside. `corner(i)` and `depth(i)` are
+/// those of the face's corners.
+template <class Corner, class Depth>
+void cut_face(const OverlapFace& face, std::size_t count, Corner corner, Depth depth, OverlapBody& part,
+              Array<RimEdge>& rim) {
+  const std::size_t begin = part.corners.size(), rim_begin = rim.size();
+  std::size_t before = count - 1;
+  double depth_before = depth(before);
   Vector<3> left = Vector<3>::Zero();  // where the boundary has left the part
-  for (const Vector<3>& corner : corners) {
-    const double depth = plane.depth(corner);
-    if ((depth > 0) != (depth_before > 0)) {
+  for (std::size_t i = 0; i < count; before = i++) {
+    const double depth_here = depth(i);
+    if ((depth_here > 0) != (depth_before > 0)) {
       // From its inner to its outer end, so that both faces at the edge get the same bits.
-      const bool enters = depth > 0;
-      const Vector<3>&inner = enters ? corner : *before, &outer = enters ? *before : corner;
-      const double inside = enters ? depth : depth_before, outside = enters ? depth_before : depth;
-      part.push_back(inner + inside / (inside - outside) * (outer - inner));
+      const bool enters = depth_here > 0;
+      const Vector<3>&inner = corner(enters ? i : before), &outer = corner(enters ? before : i);
+      const double inside = enters ? depth_here : depth_before, outside = enters ? depth_before : depth_here;
+      part.corners.push_back(inner + inside / (inside - outside) * (outer - inner));
       if (enters)
-        room.rim.push_back({part.back(), left});
+        rim.push_back({part.corners.back(), left});
       else
-        left = part.back();
+        left = part.corners.back();
     }
-    if (depth > 0) part.push_back(corner);
-    before = &corner;
-    depth_before = depth;
+    if (depth_here > 0) part.corners.push_back(corner(i));
+    depth_before = depth_here;
   }
-  if (depth_before <= 0 && room.rim.size() > rim_begin) room.rim[rim_begin].end = left;
-  if (part.size() == begin) return;
-  OverlapFace& rest = room.clipped.faces.emplace_back(face);
+  if (depth_before <= 0 && rim.size() > rim_begin) rim[rim_begin].end = left;
+  if (part.corners.size() == begin) return;
+  OverlapFace& rest = part.faces.emplace_back(face);
   rest.first = std::int32_t(begin);
-  rest.end = std::int32_t(part.size());
+  rest.end = std::int32_t(part.corners.size());
 }
 
 /// The face that a cut leaves on its plane: each edge of the rim begins at the end of another. Rounding may
 /// make it several loops, each a face.
-void close_rim(const Face& plane, PressureRoom<3>& room) {
-  Array<RimEdge>& rim = room.rim;
-  OverlapBody& body = room.clipped;
+void close_rim(const Face& plane, OverlapBody& body, Array<RimEdge>& rim) {
   std::size_t begin = body.corners.size();
   for (auto edge = rim.begin(); edge != rim.end(); ++edge) {
     body.corners.push_back(edge->start);
@@ -108,13 +87,46 @@ void close_rim(const Face& plane, PressureRoom<3>& room) {
   }
 }
 
+/// The part of a block below the first face.
+void begin_below(const Face& first, const Placed& block, PressureRoom<3>& room) {
+  room.overlap.clear();
+  room.rim.clear();
+  room.vertices.clear();
+  const Topology& topology = *block.outline.topology;
+  room.is_below.assign(std::size_t(block.outline.face_count()), false);
+  for (int v = 0; v < block.outline.vertex_count(); ++v) {
+    const Vector<3> at = block.vertex(v);
+    const double depth = first.depth(at);
+    room.vertices.push_back({at, depth});
+    if (!(depth > 0)) continue;
+    for (int k = topology.first_of_vertex[v]; k < topology.first_of_vertex[v + 1]; ++k)
+      room.is_below[std::size_t(topology.vertex_face[k])] = true;
+  }
+  for (int f = 0; f < block.outline.face_count(); ++f) {
+    if (!room.is_below[std::size_t(f)]) continue;
+    const auto vertices = vertices_of(block, f);
+    const auto vertex = [&](std::size_t i) -> const PlacedVertex& {
+      return room.vertices[std::size_t(vertices[i])];
+    };
+    cut_face(
+        {block.outline.normal(f), block.block, f, flush_of(block, f), false, 0, 0}, vertices.size(),
+        [&](std::size_t i) -> const Vector<3>& { return vertex(i).at; },
+        [&](std::size_t i) { return vertex(i).depth; }, room.overlap, room.rim);
+  }
+  close_rim(first, room.overlap, room.rim);
+}
+
 /// Keeps of the overlap what lies below a plane.
 void cut(const Face& plane, PressureRoom<3>& room) {
-  room.clipped.faces.clear();
-  room.clipped.corners.clear();
+  room.clipped.clear();
   room.rim.clear();
-  for (const OverlapFace& face : room.overlap.faces) cut_face(face, plane, room);
-  close_rim(plane, room);
+  for (const OverlapFace& face : room.overlap.faces) {
+    const auto corners = corners_of(face, room.overlap);
+    cut_face(
+        face, corners.size(), [&](std::size_t i) -> const Vector<3>& { return corners[i]; },
+        [&](std::size_t i) { return plane.depth(corners[i]); }, room.clipped, room.rim);
+  }
+  close_rim(plane, room.clipped, room.rim);
   std::swap(room.overlap, room.clipped);
 }
 
@@ -184,61 +196,64 @@ void cut_by_owner(const Placed& owner, int first, PressureRoom<3>& room) {
   }
 }
 
-/// By cones from one corner to the faces.
-Vector<3> centroid_of(const OverlapBody& body) {
+/// By cones from one corner to the faces that do not have it.
+OverlapVolume<3> volume_of(const OverlapBody& body) {
   const Vector<3>& apex = body.corners.front();
   double volume = 0;
   Vector<3> moment = Vector<3>::Zero();
   for (const OverlapFace& face : body.faces) {
     const auto corners = corners_of(face, body);
-    const double height = face.normal.dot(corners[0] - apex);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      const Vector<3>&p = corners[0], &q = corners[i], &r = corners[i + 1];
-      const double part = height * cross_product(q - p, r - p).dot(face.normal);
+    const Vector<3> p = corners[0] - apex;
+    const double height = face.normal.dot(p);
+    if (height == 0) continue;
+    Vector<3> q = corners[1] - apex, across = q - p;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const Vector<3> r = corners[i] - apex, next = r - p;
+      const double part = height * cross_product(across, next).dot(face.normal);
       volume += part;
       moment += part * (p + q + r);
+      q = r;
+      across = next;
     }
   }
-  return volume > 0 ? Vector<3>(0.25 * (apex + moment / volume)) : apex;
+  if (!(volume > 0)) return {0, apex};
+  return {volume / 6, apex + 0.25 / volume * moment};
 }
 
-struct Corner {
-  const Vector<3>& at;
-  double depth;
-};
-
-/// Calls `visit(p, q, r, area)` for the triangles of a face, with the depths of their corners below another.
+/// Calls `visit(p, q, r, area)` for the triangles of a face.
 template <class Visitor>
-void for_each_triangle(const Face& below, const OverlapFace& face, const OverlapBody& body, Visitor visit) {
+void for_each_triangle(const OverlapFace& face, const OverlapBody& body, Visitor visit) {
   const auto corners = corners_of(face, body);
-  const auto corner = [&](std::size_t i) { return Corner{corners[i], below.depth(corners[i])}; };
-  const Corner p = corner(0);
+  const Vector<3>& p = corners[0];
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Corner q = corner(i), r = corner(i + 1);
-    visit(p, q, r, 0.5 * cross_product(q.at - p.at, r.at - p.at).dot(face.normal));
+    const Vector<3>&q = corners[i], &r = corners[i + 1];
+    visit(p, q, r, 0.5 * cross_product(q - p, r - p).dot(face.normal));
   }
 }
 
-/// By the divergence theorem the depth integrated over the overlap is an integral over its surface.
+void keep_pressure(const Face& face, const OverlapFace& side, double part, const OverlapBody& body,
+                   PressureSums<3>& sums) {
+  double depths = 0;
+  Vector<3> moment = Vector<3>::Zero();
+  for_each_triangle(side, body, [&](const Vector<3>& p, const Vector<3>& q, const Vector<3>& r, double area) {
+    const double at_p = face.depth(p), at_q = face.depth(q), at_r = face.depth(r), sum = at_p + at_q + at_r;
+    depths += area / 3 * sum;
+    moment += area / 12 * ((sum + at_p) * p + (sum + at_q) * q + (sum + at_r) * r);
+  });
+  sums.keep(side.normal, part * depths, part * moment);
+}
+
 PressureSums<3> sums_below(const Face& face, const OverlapBody& body) {
   PressureSums<3> sums;
+  for (const Vector<3>& corner : body.corners) sums.depth = std::max(sums.depth, face.depth(corner));
   for (const OverlapFace& side : body.faces) {
-    const double faces_down = -face.normal.dot(side.normal);
-    const double pressed = pressed_part(side, face);
-    double depths = 0, squares = 0;
-    Vector<3> moment = Vector<3>::Zero();
-    for_each_triangle(face, side, body, [&](const Corner& p, const Corner& q, const Corner& r, double area) {
-      const double sum = p.depth + q.depth + r.depth;
-      sums.depth = std::max({sums.depth, p.depth, q.depth, r.depth});
-      depths += area / 3 * sum;
-      squares +=
-          area / 6 *
-          (p.depth * (p.depth + q.depth) + q.depth * (q.depth + r.depth) + r.depth * (r.depth + p.depth));
-      moment += area / 12 * ((sum + p.depth) * p.at + (sum + q.depth) * q.at + (sum + r.depth) * r.at);
-      if (faces_down > 0) sums.add_base(p.at, q.at, r.at, faces_down * area);
-    });
-    sums.energy += 0.5 * faces_down * squares;
-    sums.add_pressure(side.normal, pressed * depths, pressed * moment);
+    if (const double part = kept_part(side, face); part > 0) keep_pressure(face, side, part, body, sums);
+    const double faces_up = face.normal.dot(side.normal);
+    if (!(faces_up > 0)) continue;
+    for_each_triangle(side, body,
+                      [&](const Vector<3>& p, const Vector<3>& q, const Vector<3>& r, double area) {
+                        sums.add_base(p, q, r, faces_up * area);
+                      });
   }
   return sums;
 }
@@ -246,7 +261,6 @@ PressureSums<3> sums_below(const Face& face, const OverlapBody& body) {
 /// Finds the overlap from a face on.
 void find_overlap(const Placed (&blocks)[2], const Face& first, PressureRoom<3>& room) {
   begin_below(first, blocks[1 - first.block], room);
-  cut(first, room);
   if (!room.overlap.faces.empty()) cut_by_owner(blocks[first.block], first.face, room);
 }
 
@@ -268,12 +282,10 @@ Pressure<3> pressure_between(const Outline<3>& a, const Outline<3>& b, const Vec
     find_overlap(blocks, first, room);
     const Array<OverlapFace>& faces = room.overlap.faces;
     if (faces.empty()) return no_pressure(first);
-    const Vector<3> centroid = centroid_of(room.overlap);
-    const Face face = least_face(blocks, first, faces, centroid);
-    if (face.is_same(first) || is_second) {
-      const PressureSums<3> sums = sums_below(face, room.overlap);
-      return sums.is_empty() ? no_pressure(face) : sums.pressure(pair_of(face, near), face, centroid);
-    }
+    const OverlapVolume<3> overlap = volume_of(room.overlap);
+    const Face face = least_face(blocks, first, faces, overlap.centroid);
+    if (face.is_same(first) || is_second)
+      return sums_below(face, room.overlap).pressure(pair_of(face, near), face, overlap);
     first = face;
   }
 }
