@@ -31,10 +31,13 @@ class BodyScene : public SolidScene {
  public:
   BodyScene(int dimension, const hs_world_def& def, const hs_law_def& law, const Bodies& bodies)
       : SolidScene(def, law) {
-    for (const Body& body : bodies) {
-      const SolidStart start{body.position, body.rotation, body.kind, {}, {}};
-      blocks_.push_back(dimension == 3 ? add_hull(body.corners, start) : add_flat(body));
-    }
+    for (const Body& body : bodies) add(dimension, body);
+  }
+
+  hs_block add(int dimension, const Body& body) {
+    const SolidStart start{body.position, body.rotation, body.kind, {}, {}};
+    blocks_.push_back(dimension == 3 ? add_hull(body.corners, start) : add_flat(body));
+    return blocks_.back();
   }
 
   /// Sets all that is free to move in some motion.
