@@ -45,13 +45,16 @@ Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const Pa
 }
 
 /// Between two blocks that roll on each other the point moves with the mean of both.
-double moment_by_move(ShearSpring<3>& spring, const Shear<3>& force, const Vector<3>& point,
-                      const Vector<3>& normal, const PairMotion<3>& motion, double elapsed) {
+void move(ShearSpring<3>& spring, Shear<3>& force, const Vector<3>& point, double twist_radius,
+          const Vector<3>& normal, const PairMotion<3>& motion, double elapsed) {
   const Vector<3> arm = point - 0.5 * motion.to_b, before = std::exchange(spring.arm, arm);
-  if (elapsed == 0 || spring.stiffness == preloaded || spring.force == Shear<3>::Zero()) return 0;
+  if (elapsed == 0 || spring.stiffness == preloaded || spring.force == Shear<3>::Zero()) return;
   const Vector<3> moved = Carriage(spring.normal, normal, motion, elapsed)(before) -
                           0.25 * elapsed * swept(Angular<3>(motion.spin_b - motion.spin_a), motion.to_b);
-  return normal.dot(cross_product(moved - arm, force.head<3>()));
+  const double square = spring.force.squaredNorm();
+  force[3] += normal.dot(cross_product(moved - arm, force.head<3>())) / twist_radius;
+  spring.stiffness *= force.squaredNorm() / square;
+  spring.force = force;
 }
 
 }  // namespace halfspace

@@ -67,10 +67,10 @@ inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double stiff
 }
 
 /// The overlap of potentials has a centroid, but no base whose middle stays where it is. So the wrench of the
-/// stored force is carried: where it comes to act at another point, it gets the moment about the normal that
-/// it had there.
-double moment_by_move(ShearSpring<3>& spring, const Shear<3>& force, const Vector<3>& point,
-                      const Vector<3>& normal, const PairMotion<3>& motion, double elapsed);
+/// carried force is moved to the point: it gets the moment about the normal that it had where it acted. No
+/// work is done, so the spring keeps its energy, with another stiffness.
+void move(ShearSpring<3>& spring, Shear<3>& force, const Vector<3>& point, double twist_radius,
+          const Vector<3>& normal, const PairMotion<3>& motion, double elapsed);
 
 /// Slip velocity at a point with the given velocity of b relative to a.
 inline Shear<2> slip_velocity(const Vector<2>& velocity, const Vector<2>& normal, const PairMotion<2>&,

@@ -156,8 +156,7 @@ typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, 
   trial.before = carried(spring, direction, motion, elapsed_);
   if constexpr (D == 3) {
     if (law_.is_potential() && normal.twist_radius > 0)
-      trial.before[3] += moment_by_move(spring, trial.before, normal.middle, direction, motion, elapsed_) /
-                         normal.twist_radius;
+      move(spring, trial.before, normal.middle, normal.twist_radius, direction, motion, elapsed_);
   }
   trial.force = trial.before;
   if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
