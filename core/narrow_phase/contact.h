@@ -93,7 +93,7 @@ struct PairCache<2> {
   using State = PairState::State;
   using enum PairState::State;
   State state = unknown;
-  /// Separated: the last violated pair, tested first. Touching: the pair through which the blocks met.
+  /// Separated: the last violated pair, tested first. Touching: the pair of the contact plane.
   PotentialPair<2> pair;
 };
 

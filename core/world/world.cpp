@@ -299,7 +299,7 @@ void World<D>::load_left_out() {
   Contact<D> contact;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (!sleep_.leaves_out(pairs[k]) || !contacts_.was_in_contact(pairs[k])) continue;
-    if (!model_.law_of(pairs[k]).is_potential()) contacts_.describe(pairs[k], contact);
+    if (contacts_.is_described(pairs[k])) contacts_.describe(pairs[k], contact);
     forces_.load(k, contact, evaluation);
   }
   left_out_strain_ = evaluation.energy.strain;

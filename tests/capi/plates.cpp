@@ -40,8 +40,9 @@ struct Floor {
       law.shear_stiffness = per_area * base;
     }
     require_ok(hs_world_set_default_law(world.get(), &law), context.get());
-    add({{-20, -1, -20}, {20, -1, -20}, {20, -1, 0}, {-20, -1, 0}}, 20, HS_BLOCK_FIXED);
   }
+
+  void add_floor() { add({{-20, 0, -20}, {20, 0, -20}, {20, 0, 0}, {-20, 0, 0}}, 20, HS_BLOCK_FIXED); }
 
   /// A polygon in the plane y = 0, in space extruded along y by half the depth to both sides.
   hs_block add(const Points3& polygon, double depth, std::int32_t kind = HS_BLOCK_RIGID) {
@@ -55,9 +56,16 @@ struct Floor {
         dimension == 2 ? make_shape(context.get(), points) : make_hull(context.get(), extruded);
     return add_block(context.get(), world.get(), shape, block_def(context.get(), shape, kind));
   }
-  hs_block add_box(double length, double depth, double height) {
+  /// On the floor, in either order.
+  hs_block add_above(const Points3& polygon, double depth, bool floor_first = true) {
+    if (floor_first) add_floor();
+    const hs_block block = add(polygon, depth);
+    if (!floor_first) add_floor();
+    return block;
+  }
+  hs_block add_box(double length, double depth, double height, bool floor_first = true) {
     const double x = length / 2;
-    return add({{-x, 0, 0}, {x, 0, 0}, {x, 0, height}, {-x, 0, height}}, depth);
+    return add_above({{-x, 0, 0}, {x, 0, 0}, {x, 0, height}, {-x, 0, height}}, depth, floor_first);
   }
   void run_for(double seconds) { run(context.get(), world.get(), seconds); }
   hs_block_state state(hs_block block) const { return state_of(world.get(), block); }
@@ -100,10 +108,11 @@ TEST_CASE("a block on a steep slope stands where friction holds it, whatever the
 
 TEST_CASE("a plate with uneven pressure that is pulled through its middle does not yaw") {
   const int kind = GENERATE(int(HS_STIFFNESS_PER_CONTACT), int(HS_STIFFNESS_PER_AREA));
-  CAPTURE(kind);
+  const bool floor_first = GENERATE(true, false);
+  CAPTURE(kind, floor_first);
   const double height = 0.1, sink = 1e-5;
   Floor floor(3, kind, 0.5, 0.3, 1, sink);
-  const hs_block plate = floor.add_box(1, 1, height);
+  const hs_block plate = floor.add_box(1, 1, height, floor_first);
   const double weight = floor.state(plate).mass * g, pull = 0.2 * weight;
   const auto load = [&](double along_y) {
     const double force[] = {0, along_y, 0}, torque[] = {-along_y * height / 2, 0.1 * weight, 0};
@@ -120,10 +129,11 @@ TEST_CASE("a plate with uneven pressure that is pulled through its middle does n
 TEST_CASE("a plate that spins is stopped by the torque of even pressure") {
   const int kind = any_spring_law();
   const double width = GENERATE(1.0, 0.5, 0.05);
-  CAPTURE(kind, width);
+  const bool floor_first = GENERATE(true, false);
+  CAPTURE(kind, width, floor_first);
   const double friction = 0.4, spin = 5;
   Floor floor(3, kind, friction, 0.3, width, 1e-6);
-  const hs_block plate = floor.add_box(1, width, 0.1);
+  const hs_block plate = floor.add_box(1, width, 0.1, floor_first);
   floor.run_for(0.1);
   const double still[] = {0, 0, 0}, about_z[] = {0, 0, spin};
   require_ok(hs_world_set_velocity(floor.world.get(), plate, still, about_z), floor.context.get());
@@ -153,7 +163,7 @@ TEST_CASE("a prism lands on an edge in space as the polygon does in the plane") 
       const double angle = i * pi / 3 + 4 * pi / 3 + tilt;
       hexagon.push_back({middle.x + side * std::cos(angle), 0, middle.z + side * std::sin(angle)});
     }
-    const hs_block block = floor.add(hexagon, 1);
+    const hs_block block = floor.add_above(hexagon, 1);
     floor.run_for(0.6);
     landed[dimension - 2] = floor.state(block);
   }

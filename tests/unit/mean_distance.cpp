@@ -51,6 +51,25 @@ TEST_CASE("the part of a face that overlaps has the middle and the mean distance
         Approx(mean_distance((1 + length * length) / 12, length * length / 144)).epsilon(1e-5));
 }
 
+TEST_CASE("the part of a face that overlaps is the same from either side") {
+  Contact<3> contact;
+  contact.point_count = 4;
+  const Vector<3> corners[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  const Rotation<3> turn = Rotation<3>().turned_by(GENERATE(0.0, 0.8, 1.6, 2.4, 3.2) * Vector<3>(1, 0.3, 0));
+  for (const bool is_flipped : {false, true}) {
+    for (int i = 0; i < 4; ++i) {
+      const Vector<3>& corner = corners[is_flipped ? 3 - i : i];
+      contact.points[i] = turn * corner;
+      contact.gaps[i] = 0.1 * corner.x() - 0.05;
+    }
+    contact.normal = turn * Vector<3>(0, 0, is_flipped ? -1 : 1);
+    contact.center = Vector<3>::Zero();
+    const LoadedPart part = loaded_part(contact, false);
+    CHECK((part.middle - turn * Vector<3>(-0.25, 0, 0)).norm() < 1e-12);
+    CHECK(part.mean_distance == Approx(mean_distance(1.5 * 1.5 / 12 + 4.0 / 12, 1.5 * 1.5 * 4 / 144)));
+  }
+}
+
 TEST_CASE("the part of an edge that overlaps ends where its gap is 0, whichever end is deep") {
   Contact<3> contact;
   contact.point_count = 2;

@@ -194,3 +194,28 @@ TEST_CASE("a pressure found from its own face has the same bits") {
     CHECK(again.middle == found.middle);
   }
 }
+
+TEST_CASE("flush blocks keep the face of their pressure, although rounding tells between theirs") {
+  Random random(75);
+  int other_faces = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const double angle = random.uniform(-3, 3);
+    const auto turned = [&](const Points& points) {
+      Points all;
+      for (const Vector<2>& p : points) all.push_back(Rotation<2>().turned_by(Angular<2>(angle)) * p);
+      return shape_of(all);
+    };
+    const Shape<2> floor = turned(rectangle(20, 2)), box = turned(rectangle(2, 2));
+    const Vector<2> to_b =
+        Rotation<2>().turned_by(Angular<2>(angle)) * Vector<2>(random.uniform(-5, 5), 1.99);
+    const PotentialPair<2> start{0, 2, 0};
+    const Pressure<2> found = pressure_of(floor, box, to_b, start),
+                      again = pressure_of(floor, box, to_b, found.face);
+    other_faces += !(again.face == found.face);
+    CHECK(found.face.owner == found.owner);
+    CHECK(again.energy == found.energy);
+    CHECK(again.force == found.force);
+    CHECK(again.middle == found.middle);
+  }
+  CHECK(other_faces == 0);
+}

@@ -170,3 +170,22 @@ TEST_CASE("in space, a shear force set from outside counts in the plane only, an
   CHECK(energy_of(two.shear) == Approx(0.5 * 10 / 400));
   CHECK(two.energy.friction_loss == Approx(0).margin(1e-15));
 }
+
+TEST_CASE("where a wrench moves with a block that rolls, the floor's thickness does not matter") {
+  const double half_height = 0.5, elapsed = 1e-3, r = 0.3;
+  for (const double half_thickness : {0.1, 0.5, 5.0}) {
+    const PairMotion<3> motion{Vector<3>::Zero(), (half_height + half_thickness) * z_axis, Vector<3>::Zero(),
+                               y_axis};
+    const Vector<3> point = half_thickness * z_axis;
+    ShearSpring<3> spring;
+    spring.force << 0, 1, 0, 0;
+    spring.stiffness = 1;
+    spring.normal = z_axis;
+    spring.arm = point - 0.5 * motion.to_b;
+    Shear<3> force = spring.force;
+    move(spring, force, point, r, z_axis, motion, elapsed);
+    // The mean of both materials has moved along x by half of what the block rolls.
+    CHECK(force[3] / force[1] == Approx(-0.5 * half_height * elapsed / r).epsilon(1e-6));
+    CHECK(force.norm() == Approx(1));
+  }
+}

@@ -1435,7 +1435,10 @@ module halfspace_c
     function hs_world_forces(world, elapsed, forces, torques) bind(c)
       import
       type(c_ptr), value :: world  !< not NULL
-      real(c_double), value :: elapsed  !< time since the last call, s, >= 0: shear springs extend by velocity times this
+      !> time since the last call, s, >= 0: shear springs extend by velocity times this. If it is not 0,
+      !! velocities are those of its middle, as a leapfrog's between two positions: they are turned to the
+      !! present poses, so that two blocks that turn as one have no slip
+      real(c_double), value :: elapsed
       type(hs_mutable_view), value :: forces  !< receives the force on each block, N, in the order of hs_world_get_blocks()
       type(hs_mutable_view), value :: torques  !< receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
       integer(c_int32_t) :: hs_world_forces

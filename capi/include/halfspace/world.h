@@ -299,7 +299,9 @@ HS_CHECKED hs_status hs_world_detect(hs_world *world, int64_t *touching);
 /** @brief Stage: forces of contacts, bonds, bolts and water at the current poses and velocities, after
  *  hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
  *  @param world not NULL
- *  @param elapsed time since the last call, s, >= 0: shear springs extend by velocity times this
+ *  @param elapsed time since the last call, s, >= 0: shear springs extend by velocity times this. If it is not 0,
+ *         velocities are those of its middle, as a leapfrog's between two positions: they are turned to the
+ *         present poses, so that two blocks that turn as one have no slip
  *  @param forces receives the force on each block, N, in the order of hs_world_get_blocks()
  *  @param torques receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
  *  @return HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT, or HS_ERROR_STATE before detection at these poses */

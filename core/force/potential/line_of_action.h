@@ -20,9 +20,9 @@ struct LineOfAction {
   Angular<D> couple = Angular<D>::Zero();  // on b, with the force at that point
   double energy = 0;                       // stored
   double stiffness = 0;                    // of the force, along the line
-  double twist_radius = 0;                 // in 3D: mean distance of the overlap from the line
-  Vector<D> middle = Vector<D>::Zero();    // centroid of the overlap
-  Tensor<D> spread = Tensor<D>::Zero();    // of the overlap: mean of r r^T about its centroid
+  double twist_radius = 0;  // in 3D: mean distance of the overlap from the parallel line through its centroid
+  Vector<D> middle = Vector<D>::Zero();  // centroid of the overlap
+  Tensor<D> spread = Tensor<D>::Zero();  // of the overlap: mean of r r^T about its centroid
 
   /// Distance of the line from the centroid, divided by the certain extent of the overlap there; at most 1.
   double unevenness() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/angle.h"
 #include "geometry/mean_distance.h"
@@ -156,9 +157,10 @@ LoadedPart loaded_part(const Contact<3>& contact, bool bonded) {
   }
   int z = 0;
   contact.normal.cwiseAbs().maxCoeff(&z);
-  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  int x = (z + 1) % 3, y = (z + 2) % 3;
+  if (contact.normal[z] < 0) std::swap(x, y);  // counter-clockwise, as about the normal
   const auto seen = [&](int i) { return Vector<2>(contact.points[i][x], contact.points[i][y]); };
-  Vector<2> corners[max_region_points + 2];
+  Vector<2> corners[2 * max_region_points];
   int kept = 0;
   for (int i = 0, before = count - 1; i < count; before = i++) {
     if (carries(before) != carries(i))

@@ -55,14 +55,23 @@ struct Pressure {
   /// extent of the base; at most 1. It is 0 for a constant depth. The pressure at ends of the base shifts the
   /// centre besides.
   double unevenness() const {
-    const double onto_face = face_normal.dot(force), extent = certain_extent();
+    const double onto_face = face_normal.dot(force);
     const double mean_square = 2 * energy * base / (onto_face * onto_face);
     const double of_depth = mean_square > 1 ? std::sqrt(mean_square - 1) / certain_reach_of_area : 0;
-    return std::min(std::max(of_depth, extent > 0 ? way_to_center().norm() / extent : 1), 1.0);
+    return std::min(std::max(of_depth, part_of_extent(way_to_force())), 1.0);
   }
 
  private:
-  double certain_extent() const { return certain_reach_of_area * std::sqrt(std::max(spread.trace(), 0.0)); }
+  Vector<D> way_to_force() const {
+    const double here = normal_force();
+    return here > 0 ? way_to_line(Vector<D>(here * normal), couple()) : Vector<D>::Zero();
+  }
+  /// The length of a way along the base over the certain extent of the base that way.
+  double part_of_extent(const Vector<D>& way) const {
+    const double square = way.squaredNorm(), spread_along = way.dot(spread * way);
+    if (square == 0) return 0;
+    return spread_along > 0 ? square / (certain_reach_of_area * std::sqrt(spread_along)) : HUGE_VAL;
+  }
   /// A common strain of both blocks changes the energy by its trace and by the strain along the face's
   /// normal.
   Tensor<D> of_fluid() const {
@@ -73,11 +82,9 @@ struct Pressure {
 /// It stays within the certain extent of the base, where a small force across it has a long arm.
 template <int D>
 Vector<D> Pressure<D>::way_to_center() const {
-  const double force_here = normal_force();
-  if (!(force_here > 0)) return Vector<D>::Zero();
-  const Vector<D> way = way_to_line(Vector<D>(force_here * normal), couple());
-  const double most = certain_extent(), length = way.norm();
-  return length > most ? Vector<D>(most / length * way) : way;
+  const Vector<D> way = way_to_force();
+  const double part = part_of_extent(way);
+  return part > 1 ? Vector<D>(way / part) : way;
 }
 
 /// The virials besides those of a resultant at the centre of pressure.

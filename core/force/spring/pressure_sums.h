@@ -31,12 +31,14 @@ PressureFace<D> face_of(const PlacedOutline<D>& block, int face) {
 }
 
 /// The face of least energy: by a linear depth, the one nearest to the overlap's centroid. A face that does
-/// not bound the overlap is farther away. Of equal ones the first.
+/// not bound the overlap is farther away. The first is kept against one that is nearer by rounding only, so
+/// that a search from the face that was found finds it again.
 template <int D, class Sides>
 PressureFace<D> least_face(const PlacedOutline<D> (&blocks)[2], const PressureFace<D>& first,
                            const Sides& sides, const Vector<D>& centroid) {
   PressureFace<D> least = first;
-  double depth = first.depth(centroid);
+  constexpr double rounding = 2e-9;  // of what counts as flush
+  double depth = first.depth(centroid) - rounding * first.flush;
   for (const auto& side : sides) {
     const PressureFace<D> face = face_of(blocks[side.block], side.face);
     const double depth_here = face.depth(centroid);
@@ -54,7 +56,7 @@ bool are_parallel(const Vector<D>& normal, const Vector<D>& other) {
 }
 
 /// The part of a side on which the owner of the contact face keeps the pressure from the other block: a side
-/// that both blocks share counts half for each. On the face itself there is none.
+/// that both blocks share counts half for each. On the face itself there is no pressure.
 template <class Side, int D>
 double kept_part(const Side& side, const PressureFace<D>& face) {
   if (side.is_shared) return 0.5;
@@ -122,8 +124,9 @@ struct PressureSums {
     const Tensor<D> spread = base_spread / base - mean * mean.transpose();
     const Tensor<D> shadow = Tensor<D>::Identity() - face.normal * face.normal.transpose();
     const Vector<D> middle = mean + (face.depth(mean) - face.depth(centroid)) * face.normal;
-    const double length = force.norm();  // 0 where the owner lies within the other block
-    const Vector<D> direction = length > 0 ? Vector<D>(force / length) : face.normal;
+    // None where the owner lies within the other block: what rounding leaves has no direction.
+    const double length = force.norm();
+    const Vector<D> direction = length > touch_reach * volume ? Vector<D>(force / length) : face.normal;
     return {pair, face.block,   face.normal,   on_b * direction, energy, depth,
             base, on_b * force, on_b * virial, centroid,         middle, shadow * spread * shadow};
   }

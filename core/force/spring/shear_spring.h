@@ -68,7 +68,7 @@ inline void remember(ShearSpring<3>& spring, const Shear<3>& force, double stiff
 
 /// The overlap of potentials has a centroid, but no base whose middle stays where it is. So the wrench of the
 /// carried force is moved to the point: it gets the moment about the normal that it had where it acted. No
-/// work is done, so the spring keeps its energy, with another stiffness.
+/// work is done, so the spring keeps its energy.
 void move(ShearSpring<3>& spring, Shear<3>& force, const Vector<3>& point, double twist_radius,
           const Vector<3>& normal, const PairMotion<3>& motion, double elapsed);
 

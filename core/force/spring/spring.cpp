@@ -80,6 +80,7 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
       const LoadedPart part = loaded_part(contact, bonded);
       normal.middle = part.middle;
       normal.twist_radius = part.mean_distance;
+      if (motion.strain_rates) normal.act_in_middle(contact.normal);
     }
   } else {
     normal.middle = normal.center;  // anywhere on the line of shear
@@ -110,6 +111,7 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     normal.center = pressure.middle + way;
     normal.force = law_.normal_stiffness * pressure.normal_force();
     normal.couple = law_.normal_stiffness * (pressure.couple() - moment(way, pressure.force));
+    if (motion.strain_rates) normal.act_in_middle(pressure.normal);
     energy.strain += law_.normal_stiffness * pressure.energy;
     bed.spread = pressure.spread;
     bed.unevenness = pressure.unevenness();

@@ -84,6 +84,14 @@ class Spring {
     Vector<D> middle = Vector<D>::Zero();            // of the base, where shear acts
     double viscous_force = 0;                        // the dashpots' part of the force
     Angular<D> viscous_couple = Angular<D>::Zero();  // and of the couple
+
+    /// Where blocks strain, slip has the power of the shear only if this acts where the slip is measured.
+    void act_in_middle(const Vector<D>& direction) {
+      const Vector<D> way = center - middle;
+      couple += moment(way, Vector<D>(force * direction));
+      viscous_couple += moment(way, Vector<D>(viscous_force * direction));
+      center = middle;
+    }
   };
 
   /// Springs distributed over a part of the contact plane, each with a dashpot.

@@ -80,7 +80,9 @@ PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& cont
     const Pressure<D> pressure = pressure_between(at.a, at.b, at.to_b, pair.witness.pair,
                                                   pressure_rooms_[std::size_t(evaluation.worker)]);
     load = evaluate(pressure);
-    if (!(bonded && is_joint_face(contact)) && !pressure.is_empty()) {
+    if (bonded && is_joint_face(contact)) {
+      evaluation.peak_overlap = std::max(evaluation.peak_overlap, -contact.gap);
+    } else if (!pressure.is_empty()) {
       evaluation.peak_overlap = std::max(evaluation.peak_overlap, pressure.depth);
       if (evaluation.elapsed > 0) {  // a force that is evaluated again has the same bits
         pair.witness.pair = pressure.face;
@@ -136,7 +138,7 @@ std::optional<PairLoad<D>> ForcePass<D>::potential_load(Candidate<D>& pair, cons
   return spring.evaluate(line, motion, shear, evaluation.energy);
 }
 
-/// Potential laws do not use `contact`.
+/// Potential laws do not use `contact`, nor do laws per area but for a bond.
 template <int D>
 bool ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];

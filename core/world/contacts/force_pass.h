@@ -57,7 +57,7 @@ class ForcePass {
     StrainRates<D> strain_rates{};
   };
 
-  /// `elapsed`: time over which shear springs grow, s.
+  /// `elapsed`: time over which shear springs grow, s. If it is not 0, velocities are those of its middle.
   Evaluation begin(double elapsed) const;
   /// Computes the load of a pair's contact on its two blocks. False if that needs a new division plan, which
   /// steps make afterwards, in order: all pairs share the memory of plans.

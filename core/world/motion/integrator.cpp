@@ -150,8 +150,12 @@ void Integrator<D>::kick_and_drift() {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) move(i);
   });
   for (const Part<D>& part : blocks_.compounds().parts()) {
-    if (blocks_.moves(std::size_t(part.compound)) && !sleep_.is_asleep(std::size_t(part.compound)))
+    if (!blocks_.moves(std::size_t(part.compound))) continue;
+    if (sleep_.is_asleep(std::size_t(part.compound))) {
+      blocks_.mean_spin[std::size_t(part.block)].setZero();
+    } else {
       follow_motion(part);
+    }
   }
   meshes_.kick_and_drift(duration_);
 }

@@ -2093,7 +2093,9 @@ extern "C" {
     /// hs_world_detect(). Contacts of laws without springs are left out: only steps have them.
     ///
     /// - `world`: not NULL
-    /// - `elapsed`: time since the last call, s, >= 0: shear springs extend by velocity times this
+    /// - `elapsed`: time since the last call, s, >= 0: shear springs extend by velocity times this. If it is
+    ///   not 0, velocities are those of its middle, as a leapfrog's between two positions: they are turned to
+    ///   the present poses, so that two blocks that turn as one have no slip
     /// - `forces`: receives the force on each block, N, in the order of hs_world_get_blocks()
     /// - `torques`: receives the torque about each centroid, N m (2D: z); a view with count 0 skips it
     ///

@@ -142,8 +142,9 @@ Pressure<2> pressure_between(const Outline<2>& a, const Outline<2>& b, const Vec
     if (overlap.size() < 3) return no_pressure(first);
     const OverlapVolume<2> area = area_of(overlap);
     const Face face = least_face(blocks, first, overlap, area.centroid);
-    if (face.is_same(first) || is_second) return sums_below(face, overlap).pressure(pair, face, area);
-    pair = {face.block, face.face, face.block == pair.owner ? pair.vertex : 0};
+    const bool is_own = face.is_same(first);
+    if (!is_own) pair = {face.block, face.face, face.block == pair.owner ? pair.vertex : 0};
+    if (is_own || is_second) return sums_below(face, overlap).pressure(pair, face, area);
   }
 }
 

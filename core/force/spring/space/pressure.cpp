@@ -203,6 +203,7 @@ OverlapVolume<3> volume_of(const OverlapBody& body) {
   Vector<3> moment = Vector<3>::Zero();
   for (const OverlapFace& face : body.faces) {
     const auto corners = corners_of(face, body);
+    if (corners.size() < 3) continue;  // what rounding has left
     const Vector<3> p = corners[0] - apex;
     const double height = face.normal.dot(p);
     if (height == 0) continue;
