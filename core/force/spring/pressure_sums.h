@@ -37,8 +37,9 @@ template <int D, class Sides>
 PressureFace<D> least_face(const PlacedOutline<D> (&blocks)[2], const PressureFace<D>& first,
                            const Sides& sides, const Vector<D>& centroid) {
   PressureFace<D> least = first;
-  constexpr double rounding = 2e-9;  // of what counts as flush
-  double depth = first.depth(centroid) - rounding * first.flush;
+  constexpr double of_flush = 2e-9, of_depth = 1e-6;  // that may be rounding
+  double depth = first.depth(centroid);
+  depth -= std::min(of_flush * first.flush, of_depth * std::abs(depth));
   for (const auto& side : sides) {
     const PressureFace<D> face = face_of(blocks[side.block], side.face);
     const double depth_here = face.depth(centroid);
