@@ -21,8 +21,7 @@ std::int32_t active_parts(const World<D>& world) {
   add(HS_PART_FRICTION, some_law(has_friction));
   add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const ContactLaw& law) { return law.bonds(); }));
   add(HS_PART_CONTACT_DAMPING, some_law([](const ContactLaw& law) { return law.is_damped(); }));
-  add(HS_PART_AREA,
-      some_law([](const ContactLaw& law) { return law.stiffness_kind == StiffnessKind::per_area; }));
+  add(HS_PART_AREA, some_law([](const ContactLaw& law) { return law.is_per_area(); }));
   add(HS_PART_POTENTIAL, some_law([](const ContactLaw& law) { return law.is_potential(); }));
   add(HS_PART_HARD_CONTACTS, some_law([](const ContactLaw& law) { return law.has_no_spring(); }));
   add(HS_PART_STRAIN, model.blocks.has_deformable());

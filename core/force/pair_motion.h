@@ -20,6 +20,9 @@ struct PairMotion {
   Angular<D> spin_b;
   const StrainRates<D>* strain_rates = nullptr;  // null for two rigid blocks
 
+  /// Half of the mean rotation of both blocks in a time, if spins are mean spins (theory.md, friction).
+  Angular<D> half_turn(double elapsed) const { return 0.25 * elapsed * (spin_a + spin_b); }
+
   /// Velocity of b relative to a at a material point, given from a's centroid.
   Vector<D> relative_at(const Vector<D>& p) const {
     Vector<D> relative = velocity + swept(spin_b, p - to_b) - swept(spin_a, p);

@@ -5,6 +5,7 @@
 
 #include "capi/snapshot_worlds.h"
 #include "catch.h"
+#include "rectangle.h"
 
 namespace halfspace_test {
 namespace {
@@ -73,15 +74,6 @@ struct Floor {
 
 int any_spring_law() {
   return GENERATE(int(HS_STIFFNESS_PER_CONTACT), int(HS_STIFFNESS_PER_AREA), int(HS_STIFFNESS_POTENTIAL));
-}
-
-/// Of the points of a rectangle from its middle, by the midpoint rule.
-double mean_distance_of_rectangle(double a, double b) {
-  const int n = 200;
-  double sum = 0;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) sum += std::hypot(((i + 0.5) / n - 0.5) * a, ((j + 0.5) / n - 0.5) * b);
-  return sum / (n * n);
 }
 
 }  // namespace

@@ -5,30 +5,21 @@
 #include "catch.h"
 #include "contacts_3d.h"
 #include "force/spring/point_springs.h"
+#include "rectangle.h"
 #include "two_blocks.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
 
-namespace {
-
-/// Of the points of a rectangle from a point, by the midpoint rule.
-double mean_distance_by_sum(double a, double b) {
-  const int n = 400;
-  double sum = 0;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) sum += std::hypot(((i + 0.5) / n - 0.5) * a, ((j + 0.5) / n - 0.5) * b);
-  return sum / (n * n);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("the mean distance of an ellipse is exact for a disc, and near for rectangles") {
   const double square = 9.0 / 4;  // of a disc's points, along either axis, for a radius of 3
   CHECK(mean_distance(2 * square, square * square) == Approx(2));
   for (const double b : {1.0, 0.7, 0.3, 0.1, 0.01}) {
     const double x = 1.0 / 12, y = b * b / 12;
-    CHECK(mean_distance(x + y, x * y) == Approx(mean_distance_by_sum(1, b)).epsilon(0.03));
+    CHECK(mean_distance(x + y, x * y) ==
+          Approx(halfspace_test::mean_distance_of_rectangle(1, b)).epsilon(0.03));
   }
   CHECK(mean_distance(0, 0) == 0);
 }

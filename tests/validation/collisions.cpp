@@ -1,8 +1,9 @@
-// Collisions of two random convex blocks, without damping: none gains energy. Each tries this many of a kind.
+// Collisions of two random convex blocks, without damping: none gains energy.
 
 #include "catch.h"
 #include "validation/random_bodies.h"
 
+// How many collisions of a kind are tried.
 #ifndef HALFSPACE_COLLISIONS
 #define HALFSPACE_COLLISIONS 10
 #endif
@@ -24,7 +25,7 @@ class Collision {
       const hs_block block = scene_.add(dimension, bodies[std::size_t(i)]);
       const double velocity[3] = {i == 0 ? 0.5 : -0.5, 0, 0};
       double spin[3] = {0, 0, random.uniform(-2, 2)};
-      if (dimension == 3) spin[0] = random.uniform(-2, 2), spin[1] = random.uniform(-2, 2);
+      for (int k = 0; k < 2 && dimension == 3; ++k) spin[k] = random.uniform(-2, 2);
       scene_.check(hs_world_set_velocity(scene_.world(), block, velocity, spin));
     }
   }

@@ -12,12 +12,7 @@ Vector<3> turned_by(const Vector<3>& half_tangent, const Vector<3>& v) {
   return v + 2 / (1 + half_tangent.squaredNorm()) * (across + cross_product(half_tangent, across));
 }
 
-/// Half of the mean rotation of both blocks.
-Vector<3> half_turn(const PairMotion<3>& motion, double elapsed) {
-  return 0.25 * elapsed * (motion.spin_a + motion.spin_b);
-}
-
-/// By the smallest rotation between two normals.
+/// A vector, rotated by the smallest rotation between two normals.
 Vector<3> tilted(const Vector<3>& before, const Vector<3>& normal, const Vector<3>& v) {
   const double cosine = before.dot(normal);
   // Opposite normals have no unique smallest rotation: what is across them lies in both planes.
@@ -32,7 +27,7 @@ Shear<3> carried(const ShearSpring<3>& spring, const Vector<3>& normal, const Pa
                  double elapsed) {
   const bool is_there = elapsed == 0 && normal == spring.normal;  // to evaluate it again changes no bit
   if (is_there || spring.force == Shear<3>::Zero()) return spring.force;
-  const double about_normal = normal.dot(half_turn(motion, elapsed));
+  const double about_normal = normal.dot(motion.half_turn(elapsed));
   const Vector<3> force =
       turned_by(about_normal * normal, tilted(spring.normal, normal, spring.force.head<3>()));
   Shear<3> shear;
@@ -45,7 +40,7 @@ void move(ShearSpring<3>& spring, Shear<3>& force, const Vector<3>& point, doubl
           const Vector<3>& normal, const PairMotion<3>& motion, double elapsed) {
   const Vector<3> arm = point - 0.5 * motion.to_b, before = std::exchange(spring.arm, arm);
   if (elapsed == 0 || spring.stiffness == preloaded || force == Shear<3>::Zero()) return;
-  const Vector<3> moved = turned_by(half_turn(motion, elapsed), before) -
+  const Vector<3> moved = turned_by(motion.half_turn(elapsed), before) -
                           0.25 * elapsed * swept(Angular<3>(motion.spin_b - motion.spin_a), motion.to_b);
   const double square = force.squaredNorm();
   force[3] += normal.dot(cross_product(moved - arm, force.head<3>())) / twist_radius;

@@ -244,8 +244,8 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
 
 template <int D>
 template <class Base>
-PairLoad<D> Spring<D>::evaluate_with(const Base& base, const Contact<D>& contact, const PairMotion<D>& motion,
-                                     ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
+PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
+                                ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
   const ContactEnergy before = energy;
   Vector<D> direction = direction_of(contact, base, bonded);
   NormalPart normal = normal_part(contact, base, motion, bonded, energy);
@@ -265,20 +265,6 @@ PairLoad<D> Spring<D>::evaluate_with(const Base& base, const Contact<D>& contact
 }
 
 template <int D>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const PointSprings<D>& springs,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
-                                ContactEnergy& energy) const {
-  return evaluate_with(springs, contact, motion, spring, bonded, energy);
-}
-
-template <int D>
-PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Pressure<D>& pressure,
-                                const PairMotion<D>& motion, ShearSpring<D>& spring, bool& bonded,
-                                ContactEnergy& energy) const {
-  return evaluate_with(pressure, contact, motion, spring, bonded, energy);
-}
-
-template <int D>
 PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion,
                                 ShearSpring<D>& spring, ContactEnergy& energy) const {
   NormalPart normal;
@@ -295,5 +281,13 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
 
 template class Spring<2>;
 template class Spring<3>;
+#define HALFSPACE_EVALUATE(D, BASE)                                                              \
+  template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
+                                           ShearSpring<D>&, bool&, ContactEnergy&) const;
+HALFSPACE_EVALUATE(2, PointSprings<2>)
+HALFSPACE_EVALUATE(2, Pressure<2>)
+HALFSPACE_EVALUATE(3, PointSprings<3>)
+HALFSPACE_EVALUATE(3, Pressure<3>)
+#undef HALFSPACE_EVALUATE
 
 }  // namespace halfspace

@@ -62,12 +62,10 @@ class Spring {
   Spring(const ContactLaw& law, double reduced_mass, double elapsed)
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
-  /// The force of springs at points.
-  PairLoad<D> evaluate(const Contact<D>& contact, const PointSprings<D>& springs, const PairMotion<D>& motion,
-                       ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
-
-  /// Per area, as a pressure. An intact bond of two faces has springs on its common face.
-  PairLoad<D> evaluate(const Contact<D>& contact, const Pressure<D>& pressure, const PairMotion<D>& motion,
+  /// The force of springs at points, with PointSprings as base, or per area, with Pressure as base: an intact
+  /// bond of two faces has springs on its common face.
+  template <class Base>
+  PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
                        ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
 
   /// By the potentials of both blocks. The shear spring is at the loading point, across the line of action.
@@ -122,9 +120,6 @@ class Spring {
                                                        ContactEnergy& energy) const;
   NormalPart normal_part(const Contact<D>& contact, const Pressure<D>& pressure, const PairMotion<D>& motion,
                          bool bonded, ContactEnergy& energy) const;
-  template <class Base>
-  PairLoad<D> evaluate_with(const Base& base, const Contact<D>& contact, const PairMotion<D>& motion,
-                            ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
   void damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
             NormalPart& normal) const;
   [[gnu::always_inline]] inline ShearTrial shear_trial(const NormalPart& normal, const Vector<D>& direction,
@@ -132,7 +127,7 @@ class Spring {
                                                        ShearSpring<D>& spring) const;
   /// The stiffness of all springs of the base together.
   double whole_stiffness(double stiffness, const NormalPart& normal) const {
-    return law_.stiffness_kind == StiffnessKind::per_area ? stiffness * normal.base : stiffness;
+    return law_.is_per_area() ? stiffness * normal.base : stiffness;
   }
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;

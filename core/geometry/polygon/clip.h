@@ -10,6 +10,9 @@ namespace halfspace {
 inline Vector<2> between(const Vector<2>& from, const Vector<2>& to, double share) {
   return from + share * (to - from);
 }
+inline Vector<3> between(const Vector<3>& from, const Vector<3>& to, double share) {
+  return from + share * (to - from);
+}
 
 /// The point where an edge leaves a half-plane. Computed from its inner to its outer end, so that both
 /// polygons at the edge get the same bits. Corner is any type with between().

@@ -48,8 +48,7 @@ PairMotion<D> ForcePass<D>::motion_of(const Candidate<D>& pair, Evaluation& eval
   const Array<Angular<D>>& spin = evaluation.elapsed > 0 ? blocks_.mean_spin : blocks_.spin;
   PairMotion<D> motion{blocks_.velocity[b] - blocks_.velocity[a], blocks_.position[b] - blocks_.position[a],
                        spin[a], spin[b]};
-  const Angular<D> half_turn = 0.25 * evaluation.elapsed * (motion.spin_a + motion.spin_b);
-  motion.velocity += swept(half_turn, motion.velocity);
+  motion.velocity += swept(motion.half_turn(evaluation.elapsed), motion.velocity);
   if (blocks_.has_deformable()) motion.strain_rates = strain_rates_of(a, b, evaluation);
   return motion;
 }

@@ -1,6 +1,7 @@
 #include <span>
 
 #include "force/spring/pressure_sums.h"
+#include "geometry/polygon/clip.h"
 #include "narrow_phase/plane/separation.h"
 
 namespace halfspace {
@@ -62,11 +63,10 @@ void cut(const Face& face, PressureRoom<2>& room) {
     const double here = face.depth(side.start.at), next = face.depth(side.end.at);
     if (here >= 0) part.push_back(side.start);
     if ((here >= 0) == (next >= 0)) return;
-    // From its inner to its outer end, so that both blocks get the same bits.
     const Vector<2>&inner = here >= 0 ? side.start.at : side.end.at,
           &outer = here >= 0 ? side.end.at : side.start.at;
     const double depth = std::max(here, next), height = -std::min(here, next);
-    const Vector<2> at = inner + depth / (depth + height) * (outer - inner);
+    const Vector<2> at = crossing(inner, -depth, outer, height);
     part.push_back(here >= 0 ? OverlapCorner{at, face.normal, face.block, face.face, face.flush, false}
                              : side.start);
     part.back().at = at;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "force/spring/pressure_sums.h"
+#include "geometry/polygon/clip.h"
 #include "narrow_phase/pair.h"
 
 namespace halfspace {
@@ -48,11 +49,10 @@ void cut_face(const OverlapFace& face, std::size_t count, Corner corner, Depth d
   for (std::size_t i = 0; i < count; before = i++) {
     const double depth_here = depth(i);
     if ((depth_here > 0) != (depth_before > 0)) {
-      // From its inner to its outer end, so that both faces at the edge get the same bits.
       const bool enters = depth_here > 0;
       const Vector<3>&inner = corner(enters ? i : before), &outer = corner(enters ? before : i);
       const double inside = enters ? depth_here : depth_before, outside = enters ? depth_before : depth_here;
-      part.corners.push_back(inner + inside / (inside - outside) * (outer - inner));
+      part.corners.push_back(crossing(inner, -inside, outer, -outside));
       if (enters)
         rim.push_back({part.corners.back(), left});
       else
@@ -196,14 +196,14 @@ void cut_by_owner(const Placed& owner, int first, PressureRoom<3>& room) {
   }
 }
 
-/// By cones from one corner to the faces that do not have it.
+/// The sum of cones from one corner to the faces that do not have it.
 OverlapVolume<3> volume_of(const OverlapBody& body) {
   const Vector<3>& apex = body.corners.front();
   double volume = 0;
   Vector<3> moment = Vector<3>::Zero();
   for (const OverlapFace& face : body.faces) {
     const auto corners = corners_of(face, body);
-    if (corners.size() < 3) continue;  // what rounding has left
+    if (corners.size() < 3) continue;  // rounding may leave a face without an area
     const Vector<3> p = corners[0] - apex;
     const double height = face.normal.dot(p);
     if (height == 0) continue;
