@@ -130,10 +130,26 @@ void World<D>::find_in(const Chunk& chunk, PairSums& sums, OnContact on_contact)
   }
 }
 
+/// Determines the entry faces of pairs that have met.
+template <int D>
+void World<D>::find_entrances() {
+  entrances_.begin(made_);
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    for (const std::uint32_t k : contacts_.met_in(chunk, sums_[chunk])) {
+      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      if (contacts_.is_described(pair) && share_.loads(pair)) entrances_.ask(k);
+    }
+  }
+  entrances_.take_answers();
+  for (const auto& answer : entrances_.answers())
+    share_.note_entrance(contacts_.neighbors().pairs()[answer.pair]);
+}
+
 /// Computes the new contacts, from those that existed before. Calls `on_contact(k, contact, sums)` for each.
 template <int D>
 template <class OnContact>
 void World<D>::take_in_met(OnContact on_contact) {
+  find_entrances();
   for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
     PairSums& sums = sums_[chunk];
     for (const std::uint32_t k : contacts_.met_in(chunk, sums)) {
@@ -141,7 +157,6 @@ void World<D>::take_in_met(OnContact on_contact) {
       const bool loads_own = share_.loads(pair);
       Contact<D> contact;
       if (contacts_.is_described(pair)) {
-        if (loads_own && entrances_.find(k, sums_, made_)) share_.note_entrance(pair);
         entrances_.describe(k, contact);
         if (loads_own) contacts_.note_overlap(k, contact, sums);
       }
@@ -244,8 +259,6 @@ void World<D>::evaluate_forces(double elapsed) {
     take_in_met(load_in_order);
     end_finding();
   }
-  const bool is_of_host = made_ == 0;  // nobody counts its steps
-  if (elapsed > 0 && (is_of_host || clock_.steps() % Entrances<D>::steps_between == 0)) turn_at_corners();
   lap(Pass::pairs);
   forces_.gather(sums_);
   ContactEnergy energy;
@@ -262,33 +275,6 @@ void World<D>::evaluate_forces(double elapsed) {
     lap(Pass::bonds);
   }
   forces_.load_compounds();
-}
-
-/// Contacts at corners may turn to another face, which carries at once. What the shear springs held is lost.
-template <int D>
-void World<D>::turn_at_corners() {
-  entrances_.forget_answers();
-  for (const std::uint32_t k : contacts_.touching()) {
-    const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-    if (!sleep_.leaves_out(pair) && !model_.law_of(pair).is_per_area()) entrances_.ask_again(k);
-  }
-  const auto energy_of = [&](std::size_t k) {
-    typename ForcePass<D>::Evaluation evaluation = forces_.begin(0);
-    Contact<D> contact;
-    contacts_.describe(contacts_.neighbors().pairs()[k], contact);
-    load_pair(k, contact, evaluation);
-    return evaluation.energy.strain;
-  };
-  for (const auto& [k, face] : entrances_.answers()) {
-    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-    ContactEnergy& energy = sums_[k / pairs_per_chunk].energy;
-    energy.strain -= energy_of(k);
-    pair.witness.pair = face;
-    const double released = contacts_.release_shear(k);
-    if (share_.counts(pair)) energy.friction_loss += released;
-    energy.strain += energy_of(k);
-    share_.note_entrance(pair);
-  }
 }
 
 /// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.

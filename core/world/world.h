@@ -325,7 +325,7 @@ class World {
   void pass_over_pairs(Visit visit);
   template <class OnContact>
   void take_in_met(OnContact on_contact);
-  void turn_at_corners();
+  void find_entrances();
   void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
   bool load_pair(std::size_t k, const Contact<D>& contact, typename ForcePass<D>::Evaluation& evaluation);

@@ -12,10 +12,7 @@ namespace halfspace {
 // therefore lifts a block out of each block that it already touches. If the lift separates the two that have
 // met, the entry face is one that faces the lift.
 //
-// Where joints cross, corners of a cut rock often meet before any of them rests on a third block, and nothing
-// tells the face in the joint then. So a contact at a corner is asked about again now and then: a lift that
-// leaves less of its overlap than all lifts along its own face shows the entry face. The lift of a meeting
-// counts only if this question agrees, or contacts would swing. See docs/concepts/contact.md.
+// See docs/concepts/contact.md.
 
 /// Determines the entry faces of blocks that have met.
 template <int D>
@@ -24,25 +21,24 @@ class Entrances {
   Entrances(const Model<D>& model, ContactList<D>& contacts, Memory* memory)
       : model_(model), contacts_(contacts), answers_(memory) {}
 
-  /// Caches the entry face of a pair that has met, if other contacts of its blocks decide it. Returns whether
-  /// they do. `found`: the sums of all chunks of pairs, after detection. `made`: the duration of the motion
-  /// that has brought them together, s, or 0.
-  bool find(std::size_t k, std::span<const PairSums> found, double made);
-  /// Steps between two questions about contacts at corners: less than a period of springs.
-  static constexpr std::int64_t steps_between = 16;
-  /// The entry face of a pair, where the contacts of both blocks with a third show another than the cached
-  /// one.
+  /// Another entry face of a pair than the one through which it has met.
   struct Answer {
     std::uint32_t pair;
     PotentialPair<D> face;
   };
-  /// Looks for such a face if a pair is in contact at a corner. Answers do not depend on the order of
-  /// questions.
-  void ask_again(std::uint32_t k);
-  std::span<const Answer> answers() const { return answers_; }
-  void forget_answers() { answers_.clear(); }
   /// Reserves memory for an answer of every pair.
   void fit_room() { answers_.reserve(contacts_.neighbors().room()); }
+  /// `made`: the duration of the motion that pairs have met in, s, or 0.
+  void begin(double made) {
+    answers_.clear();
+    made_ = made;
+  }
+  /// Asks the other contacts of its blocks for the entry face of a pair that has met. Answers do not depend
+  /// on the order of questions.
+  void ask(std::uint32_t k);
+  std::span<const Answer> answers() const { return answers_; }
+  /// Caches the answers.
+  void take_answers();
   /// Computes the contact of a pair that has met.
   void describe(std::size_t k, Contact<D>& contact);
 
@@ -55,11 +51,9 @@ class Entrances {
   struct Lift {
     Vector<D> normal;
     double depth;
+    bool is_known;  // not by the last motion
   };
-  Way free_way(const Candidate<D>& met, std::span<const PairSums> found, double made) const;
-  bool was_overlapped(const Candidate<D>& met, PotentialPair<D> face, double made) const;
-  bool does_touch(std::size_t k, std::span<const PairSums> found) const;
-  std::optional<PotentialPair<D>> better_face(std::size_t k, std::span<const PairSums> found) const;
+  bool touched_before(const Candidate<D>& pair, double gap, const Vector<D>& normal) const;
   Lift lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
   Way way_along(const Candidate<D>& pair, const PlacedBlocks<D>& at, const Vector<D>& normal) const;
   double smaller_radius(const Candidate<D>& pair) const {
@@ -69,6 +63,7 @@ class Entrances {
   const Model<D>& model_;
   ContactList<D>& contacts_;
   Array<Answer> answers_;
+  double made_ = 0;
 };
 
 extern template class Entrances<2>;
