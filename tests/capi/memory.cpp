@@ -200,9 +200,10 @@ TEST_CASE("a steady step asks for no memory, rebuilds of the neighbour list incl
   const hs_context_def def = ledger.definition();
   const Context context = make_context(&def);
   const Pile pile(context.get(), 60);
-  // A prescribed block that turns in the heap for ever wears the neighbour list's skin out again and again.
+  // A prescribed block that turns in the heap for ever wears the neighbour list's skin out again and again,
+  // high enough to crush no block on the floor.
   const hs_block stirrer =
-      add_block(context.get(), pile.world.get(), box(-0.7, 0.2, 0.7, 0.5), HS_BLOCK_PRESCRIBED);
+      add_block(context.get(), pile.world.get(), box(-0.7, 1.45, 0.7, 1.75), HS_BLOCK_PRESCRIBED);
   hs_world* w = pile.world.get();
   const double standing[3] = {0, 0, 0}, turning[3] = {0, 0, 1};
   require_ok(hs_world_set_velocity(w, stirrer, standing, turning), context.get());

@@ -26,7 +26,7 @@ constexpr std::int32_t apart = -1;
 
 /// Memory with a reserve, so that it changes seldom.
 void adapt(std::size_t& room, std::size_t used) {
-  if (used > room || 5 * used < 4 * room) room = used + used / 8;
+  if (used > room || 2 * used < room) room = used + used / 8;
 }
 
 }  // namespace
