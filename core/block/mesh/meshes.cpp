@@ -233,6 +233,7 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
     if (body.first_node != counted || body.node_count < 0 || body.node_count > left) return false;
     // D nodes identify a face, and a face has at most two cells, each with more than two faces.
     if (body.cell_count < 0 || double(body.cell_count) > std::pow(double(body.node_count), D)) return false;
+    if (body.lives != 0 && body.lives != 1) return false;
     if (!all_finite(body.origin) || !(body.squared_frequency >= 0) || !is_nonnegative(body.damping_time) ||
         !is_nonnegative(body.steepest))
       return false;
@@ -242,9 +243,9 @@ bool Meshes<D>::is_consistent(std::int32_t material_count) const {
   const auto has_own_nodes = [&](const auto& part) {
     if (part.body < 0 || std::size_t(part.body) >= bodies_.size()) return false;
     const Body<D>& of = body(part.body);
-    return all(part.node, [&](std::int32_t node) {
-      return node >= of.first_node && node < of.first_node + of.node_count;
-    });
+    return of.lives && all(part.node, [&](std::int32_t node) {
+             return node >= of.first_node && node < of.first_node + of.node_count;
+           });
   };
   const auto precedes = [](const auto& a, const auto& b) { return a.body < b.body; };
   bool fits = std::is_sorted(surface_.begin(), surface_.end(), precedes);
