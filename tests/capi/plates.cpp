@@ -98,6 +98,36 @@ TEST_CASE("a block on a steep slope stands where friction holds it, whatever the
   }
 }
 
+TEST_CASE("a pull of .99 of friction holds, and one of 1.01 slides by the rest") {
+  const int kind = any_spring_law();
+  const int dimension = GENERATE(2, 3);
+  const double damping = GENERATE(0.05, 0.5), sink = GENERATE(1e-4, 1e-3);
+  CAPTURE(kind, dimension, damping, sink);
+  const double friction = 0.5, height = 0.5;
+  Floor floor(dimension, kind, friction, damping, 1, sink);
+  const hs_block block = floor.add_box(1, 1, height);
+  const double limit = friction * g * floor.state(block).mass;
+  const auto pull_up_to = [&](double from, double to, double seconds) {
+    constexpr int parts = 50;
+    for (int i = 1; i <= parts; ++i) {
+      const double force[] = {(from + (to - from) * i / parts) * limit, 0, 0}, torque[] = {0, 0, 0};
+      require_ok(hs_world_set_applied_force(floor.world.get(), block, force, torque), floor.context.get());
+      floor.run_for(seconds / parts);
+    }
+  };
+  floor.run_for(1);
+  pull_up_to(0, 0.99, 2);
+  const double held = floor.state(block).pose.position[0];
+  floor.run_for(1);
+  CHECK(floor.state(block).pose.position[0] == Approx(held).margin(0.01 * sink * height));
+  pull_up_to(0.99, 1.01, 0.1);
+  const double start = report_of(floor.world.get()).time, before = floor.state(block).velocity[0];
+  floor.run_for(1);
+  const double speeding =
+      (floor.state(block).velocity[0] - before) / (report_of(floor.world.get()).time - start);
+  CHECK(speeding == Approx(0.01 * friction * g).epsilon(0.01));
+}
+
 TEST_CASE("a plate with uneven pressure that is pulled through its middle does not yaw") {
   const int kind = GENERATE(int(HS_STIFFNESS_PER_CONTACT), int(HS_STIFFNESS_PER_AREA));
   const bool floor_first = GENERATE(true, false);

@@ -112,8 +112,6 @@ class ContactList {
     keep(k, first_of_chunk, sums);
     sums.last_block = std::max(sums.last_block, pair.b);
   }
-  /// Forgets the shear of a pair whose contact ends or turns. Returns its energy.
-  double release_shear(std::size_t k);
   /// Collects the contacts of all chunks.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.
@@ -192,6 +190,8 @@ class ContactList {
   }
 
  private:
+  /// Forgets the shear of a pair whose contact ends. Returns its energy.
+  double release_shear(std::size_t k);
   /// The first pairs of a chunk's range. Without any the array may be empty.
   static std::span<const std::uint32_t> part_of(const Array<std::uint32_t>& in_chunks, std::size_t chunk,
                                                 std::size_t count) {

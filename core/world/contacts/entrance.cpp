@@ -48,8 +48,8 @@ typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, cons
   return is_another_way(pair) ? Way{pair, apart.gap} : Way{};
 }
 
-/// Did two blocks touch or overlap through a face before the last motion? One that it has just crossed is the
-/// side of a joint.
+/// Did two blocks touch or overlap through a face before the last motion, by their translation? A face that
+/// it has just crossed is the side of a joint.
 template <int D>
 bool Entrances<D>::touched_before(const Candidate<D>& pair, double gap, const Vector<D>& normal) const {
   const Blocks<D>& blocks = model_.blocks;
@@ -76,7 +76,7 @@ void Entrances<D>::ask(std::uint32_t k) {
       if (third == partner || !contacts_.was_in_contact(known)) return;
       if (reaches_far && !neighbors.pair_between(third, partner)) return;
       const Lift lift_of_block = lift(met, block, known);
-      if (!lift_of_block.is_known) return;
+      if (!lift_of_block.is_older) return;
       PlacedBlocks<D> at = placed;
       at.to_b += lift_of_block.depth * lift_of_block.normal;
       Way way = way_along(met, at, lift_of_block.normal);

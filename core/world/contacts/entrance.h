@@ -51,7 +51,7 @@ class Entrances {
   struct Lift {
     Vector<D> normal;
     double depth;
-    bool is_known;  // not by the last motion
+    bool is_older;  // the blocks touched before the last motion
   };
   bool touched_before(const Candidate<D>& pair, double gap, const Vector<D>& normal) const;
   Lift lift(const Candidate<D>& pair, std::int32_t lifted, const Candidate<D>& known) const;
