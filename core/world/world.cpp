@@ -140,9 +140,11 @@ void World<D>::find_entrances() {
       if (contacts_.is_described(pair) && share_.loads(pair)) entrances_.ask(k);
     }
   }
-  entrances_.take_answers();
-  for (const auto& answer : entrances_.answers())
-    share_.note_entrance(contacts_.neighbors().pairs()[answer.pair]);
+  for (const auto& [k, face] : entrances_.answers()) {
+    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    pair.witness.pair = face;
+    share_.note_entrance(pair);
+  }
 }
 
 /// Computes the new contacts, from those that existed before. Calls `on_contact(k, contact, sums)` for each.

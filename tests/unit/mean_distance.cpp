@@ -11,8 +11,6 @@
 using namespace halfspace;
 using namespace halfspace::test;
 
-namespace {}  // namespace
-
 TEST_CASE("the mean distance of an ellipse is exact for a disc, and near for rectangles") {
   const double square = 9.0 / 4;  // of a disc's points, along either axis, for a radius of 3
   CHECK(mean_distance(2 * square, square * square) == Approx(2));

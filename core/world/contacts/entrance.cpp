@@ -1,7 +1,6 @@
 #include "world/contacts/entrance.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "narrow_phase/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
@@ -86,11 +85,6 @@ void Entrances<D>::ask(std::uint32_t k) {
     });
   }
   if (best.gap > -HUGE_VAL) answers_.push_back({k, best.pair});
-}
-
-template <int D>
-void Entrances<D>::take_answers() {
-  for (const Answer& answer : answers_) contacts_.neighbors().pairs()[answer.pair].witness.pair = answer.face;
 }
 
 template <int D>

@@ -37,8 +37,6 @@ class Entrances {
   /// on the order of questions.
   void ask(std::uint32_t k);
   std::span<const Answer> answers() const { return answers_; }
-  /// Caches the answers.
-  void take_answers();
   /// Computes the contact of a pair that has met.
   void describe(std::size_t k, Contact<D>& contact);
 
