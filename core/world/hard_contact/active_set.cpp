@@ -72,16 +72,13 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
     if (contact.friction_count == 0) continue;
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
     const double bound = problem.friction_bound(contact);
-    std::array<double, D - 1> projected;
+    std::array<double, max_friction_rows<D>> projected;
     const double size = problem.project_friction(contact, bound, projected);
+    // A contact that has just begun to bear has no bound yet: it sticks at first.
+    const bool sticks = bears && (bound <= 0 || size < bound);
     for (std::size_t k = 0; k < friction.size(); ++k) {
-      const bool is_couple = k >= D - 1;
-      const double limit = std::max(0.0, contact.couple_arm * bound);
-      const double couple = is_couple ? problem.stopping_impulse(contact, friction[k]) : 0;
-      const double next = is_couple ? std::clamp(couple, -limit, limit) : projected[k];
-      unbalanced = std::max(unbalanced, std::abs(next - friction[k].impulse) * friction[k].inverse_mass);
-      // A contact that has just begun to bear has no bound yet: it sticks at first.
-      const bool sticks = bears && (bound <= 0 || (is_couple ? std::abs(couple) < limit : size < bound));
+      const double change = projected[k] - friction[k].impulse;
+      unbalanced = std::max(unbalanced, std::abs(change) * friction[k].inverse_mass);
       set_state(std::size_t(row), sticks ? State::sticks : bears ? State::slides : State::open);
       if (sticks) rows_.push_back({row, std::int32_t(c)});
       ++row;
@@ -183,18 +180,14 @@ void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
     if (contact.friction_count == 0) continue;
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
     const double bound = std::max(0.0, problem.friction_bound(contact));
-    if (states_[row] != State::sticks) {
-      std::array<double, D - 1> opposing;
-      problem.project_friction(contact, bound, opposing);
-      double square = 0;
-      for (const double part : opposing) square += part * part;
-      const double scale = square > 0 ? bound / std::sqrt(square) : 0;
-      for (std::size_t k = 0; k < D - 1; ++k) problem.set_impulse(contact, friction[k], scale * opposing[k]);
-    }
-    if (D == 3 && states_[row + D - 1] != State::sticks) {
-      const double limit = contact.couple_arm * bound;
-      problem.set_impulse(contact, friction[D - 1], std::clamp(friction[D - 1].impulse, -limit, limit));
-    }
+    if (states_[row] == State::sticks) continue;
+    std::array<double, max_friction_rows<D>> opposing{};
+    problem.project_friction(contact, bound, opposing);
+    double square = 0;
+    for (const double part : opposing) square += part * part;
+    const double scale = square > 0 ? bound / std::sqrt(square) : 0;
+    for (std::size_t k = 0; k < friction.size(); ++k)
+      problem.set_impulse(contact, friction[k], scale * opposing[k]);
   }
 }
 

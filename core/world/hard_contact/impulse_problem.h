@@ -37,7 +37,13 @@ struct ImpulseRow {
   double impulse;
 };
 
-/// Normal rows, one per point, and friction rows: none, 1 in the plane, 2 and a couple in space.
+/// The most friction rows of a contact.
+template <int D>
+constexpr std::size_t max_friction_rows = D == 2 ? 1 : 3;
+
+/// Normal rows, one per point, and friction rows: none, 1 in the plane, 2 in space and, for a patch of some
+/// size, its couple over the patch's radius, so that all have one unit and one bound: an ellipsoid of slip
+/// and twist (Howe and Cutkosky 1996).
 template <int D>
 struct ImpulseContact {
   std::int32_t a;
@@ -48,7 +54,6 @@ struct ImpulseContact {
   double inverse_mass_a;
   double inverse_mass_b;
   double tan_friction;
-  double couple_arm;  // m: the couple is bounded by this times the bound of friction
 };
 
 /// A velocity problem with unilateral contacts and Coulomb friction: find impulses with u >= target, p >= 0
@@ -87,24 +92,25 @@ struct ImpulseProblem {
                           double inverse_mass) const {
     return row.impulse - (velocity_along(contact, row) - row.target) / inverse_mass;
   }
-  /// The friction of a contact after one projection: where it would exceed its bound, both tangents have the
-  /// larger inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
+  /// The friction of a contact after one projection: where it would exceed its bound, all its rows have the
+  /// largest inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
   /// before it is limited to the bound.
   double project_friction(const ImpulseContact<D>& contact, double bound,
-                          std::array<double, D - 1>& impulse) {
+                          std::array<double, max_friction_rows<D>>& impulse) {
     const std::span<ImpulseRow<D>> rows = frictions_of(contact);
     const auto project = [&](auto inverse_mass) {
       double square = 0;
-      for (std::size_t k = 0; k < D - 1; ++k) {
-        impulse[k] = stopping_impulse(contact, rows[k], inverse_mass(k));
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        impulse[k] = stopping_impulse(contact, rows[k], inverse_mass(rows[k]));
         square += impulse[k] * impulse[k];
       }
       return std::sqrt(square);
     };
-    const double stopping = project([&](std::size_t k) { return rows[k].inverse_mass; });
+    const double stopping = project([](const ImpulseRow<D>& row) { return row.inverse_mass; });
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
-    const double common = std::max(rows[0].inverse_mass, rows[D - 2].inverse_mass);
-    limit(impulse, project([&](std::size_t) { return common; }), bound);
+    double common = 0;
+    for (const ImpulseRow<D>& row : rows) common = std::max(common, row.inverse_mass);
+    limit(impulse, project([&](const ImpulseRow<D>&) { return common; }), bound);
     return stopping;
   }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
@@ -124,7 +130,7 @@ struct ImpulseProblem {
   }
 
   /// Limits friction of this size, which is returned, to the bound.
-  static double limit(std::array<double, D - 1>& impulse, double size, double bound) {
+  static double limit(std::array<double, max_friction_rows<D>>& impulse, double size, double bound) {
     if (size > bound) {
       for (double& part : impulse) part *= std::max(0.0, bound) / size;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mean_distance.h"
 #include "narrow_phase/space/contact_plane.h"
 
 namespace halfspace {
@@ -13,6 +14,36 @@ std::array<Vector<2>, 1> tangents(const Vector<2>& normal) { return {perpendicul
 std::array<Vector<3>, 2> tangents(const Vector<3>& normal) {
   const PlaneFrame plane(normal, Vector<3>::Zero());
   return {plane.along, plane.across};
+}
+
+/// Nothing twists in the plane.
+Patch<2> patch_of_corners(std::span<const Vector<2>> corner, const Vector<2>&) {
+  return {0.5 * (corner.front() + corner.back()), 0, 0};
+}
+
+/// Of a polygon, by triangles from its first corner; of fewer corners or none but on a line, of the segment
+/// to the farthest one.
+Patch<3> patch_of_corners(std::span<const Vector<3>> corner, const Vector<3>& normal) {
+  const Vector<3> origin = corner.front();
+  Vector<3> moment = Vector<3>::Zero(), farthest = Vector<3>::Zero();
+  Tensor<3> spread = Tensor<3>::Zero();
+  double area = 0;
+  for (std::size_t i = 1; i < corner.size(); ++i) {
+    const Vector<3> side = corner[i] - origin;
+    if (side.squaredNorm() > farthest.squaredNorm()) farthest = side;
+    if (i + 1 == corner.size()) break;
+    const Vector<3> next = corner[i + 1] - origin, sum = side + next;
+    const double part = normal.dot(cross_product(side, next));
+    area += part;
+    moment += part / 3 * sum;
+    spread += part / 12 * (side * side.transpose() + next * next.transpose() + sum * sum.transpose());
+  }
+  constexpr double flat = 1e-9;
+  if (std::abs(area) <= flat * farthest.squaredNorm())
+    return {origin + 0.5 * farthest, mean_distance(Tensor<3>(farthest * farthest.transpose() / 12)), 0};
+  const Vector<3> center = moment / area;
+  const double radius = mean_distance(Tensor<3>(spread / area - center * center.transpose()));
+  return {origin + center, radius, 0.5 * std::abs(area)};
 }
 
 }  // namespace
@@ -28,24 +59,23 @@ void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   }
 }
 
-/// The middle of the points that touch, on the plane of the manifold, and their mean distance from it.
-/// Friction acts there.
+/// The centroid of the points that touch, on the plane of the manifold, and the mean distance of their region
+/// from it: that of even pressure. Friction acts there. Of round faces the points leave out slivers.
 template <int D>
-typename ImpulseRows<D>::Patch ImpulseRows<D>::patch_of(
-    const RigidContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
-  const std::size_t count = std::size_t(at.manifold.count);
+Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at,
+                                  const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
   const double touching = at.min_gap() + search_.settled_gap(at);
   const double towards_plane = at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1;
-  Patch patch{Vector<D>::Zero(), 0};
-  double touching_count = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (at.gap[i] > touching) continue;
-    patch.center += arm[i] + towards_plane * at.gap[i] * at.normal;
-    ++touching_count;
+  std::array<Vector<D>, max_manifold_points<D>> corner;
+  corner.fill(Vector<D>::Zero());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
+    if (at.gap[i] <= touching) corner[count++] = arm[i] + towards_plane * at.gap[i] * at.normal;
   }
-  patch.center /= touching_count;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (at.gap[i] <= touching) patch.radius += (arm[i] - patch.center).norm() / touching_count;
+  Patch<D> patch = patch_of_corners({corner.data(), count}, at.normal);
+  if constexpr (D == 3) {
+    const bool touches_as_a_whole = count == std::size_t(at.manifold.count) && patch.area > 0;
+    if (touches_as_a_whole) patch.radius *= std::sqrt(std::max(1.0, at.manifold.area / patch.area));
   }
   return patch;
 }
@@ -87,21 +117,26 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
     contact.inverse_mass_a = problem.inverse_masses[mover_a].of_mass;
     contact.inverse_mass_b = problem.inverse_masses[mover_b].of_mass;
     contact.tan_friction = model_.law_between(a, b).tan_friction;
-    contact.friction_count = contact.tan_friction <= 0 ? 0 : D == 2 ? 1 : 3;
-    contact.couple_arm = 0;
+    contact.friction_count = 0;
     std::array<Vector<D>, max_manifold_points<D>> arm;
     for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
       arm[i] = arm_of(at.manifold, i, pose_a, pose_b);
       add_row(contact, at.normal, moment(Vector<D>(arm[i] + arm_of_a), at.normal),
               moment(Vector<D>(arm[i] - to_b + arm_of_b), at.normal), at.impulse[i]);
     }
-    if (contact.friction_count > 0) {
-      const Patch patch = patch_of(at, arm);
+    if (contact.tan_friction > 0) {
+      const Patch<D> patch = patch_of(at, arm);
       const Vector<D> from_a = patch.center + arm_of_a, from_b = patch.center - to_b + arm_of_b;
       for (const Vector<D>& tangent : tangents(at.normal))
         add_row(contact, tangent, moment(from_a, tangent), moment(from_b, tangent), tangent.dot(at.friction));
-      if constexpr (D == 3) add_row(contact, Vector<D>::Zero(), at.normal, at.normal, at.couple);
-      contact.couple_arm = patch.radius;
+      contact.friction_count = D - 1;
+      if constexpr (D == 3) {
+        if (patch.radius > 0) {
+          const Vector<3> turn = patch.radius * at.normal;
+          add_row(contact, Vector<D>::Zero(), turn, turn, at.couple / patch.radius);
+          ++contact.friction_count;
+        }
+      }
     }
     problem.contacts.push_back(contact);
   }

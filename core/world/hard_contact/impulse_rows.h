@@ -7,8 +7,16 @@
 
 namespace halfspace {
 
+/// Where friction acts.
+template <int D>
+struct Patch {
+  Vector<D> center;  // from the centroid of a
+  double radius;     // m, of the couple that even pressure gives: its bound over that of friction
+  double area;       // m²
+};
+
 /// Makes the rows of an impulse problem from manifolds, with the blocks where they are now: one row per
-/// point, and friction in the middle of the points that touch. Rows act on the compound of a part.
+/// point, and friction at the centroid of the points that touch. Rows act on the compound of a part.
 template <int D>
 class ImpulseRows {
  public:
@@ -20,13 +28,9 @@ class ImpulseRows {
   void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
              std::span<const std::size_t> immovable = {});
 
-  /// Where friction acts.
-  struct Patch {
-    Vector<D> center;  // from the centroid of a
-    double radius;
-  };
   /// `arm`: of each point, from the centroid of a.
-  Patch patch_of(const RigidContact<D>& at, const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
+  Patch<D> patch_of(const RigidContact<D>& at,
+                    const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
 
  private:
   void set_inverse_masses(ImpulseProblem<D>& problem);

@@ -31,15 +31,9 @@ class Sweep {
  private:
   void stop_sliding(const ImpulseContact<D>& contact) {
     const std::span<ImpulseRow<D>> friction = problem_.frictions_of(contact);
-    const double bound = problem_.friction_bound(contact);
-    std::array<double, D - 1> next;
-    problem_.project_friction(contact, bound, next);
-    for (std::size_t k = 0; k < D - 1; ++k) change(contact, friction[k], next[k]);
-    if constexpr (D == 3) {
-      const double limit = contact.couple_arm * bound;
-      change(contact, friction[2],
-             std::clamp(problem_.stopping_impulse(contact, friction[2]), -limit, limit));
-    }
+    std::array<double, max_friction_rows<D>> next;
+    problem_.project_friction(contact, problem_.friction_bound(contact), next);
+    for (std::size_t k = 0; k < friction.size(); ++k) change(contact, friction[k], next[k]);
   }
 
   void change(const ImpulseContact<D>& contact, ImpulseRow<D>& row, double impulse) {

@@ -33,11 +33,19 @@ constexpr double flush_fraction = 1e-6;
 /// The features that give a manifold its normal.
 enum class ManifoldPlane : std::int32_t { face_of_a = 0, face_of_b = 1, edges = 2 };
 
+/// The region of two faces in space, also where it has more corners than the manifold has points.
+template <int D>
+struct ManifoldRegion {};
+template <>
+struct ManifoldRegion<3> {
+  double area = 0;  // m²
+};
+
 /// The plane through which two blocks touch or come near each other, and the points in front of it: of a face
 /// of one block, or in space of an edge of each. Points are material: each is given in the frame of the other
 /// block's shape; between edges there is one, of block b.
 template <int D>
-struct Manifold {
+struct Manifold : ManifoldRegion<D> {
   ManifoldPlane plane = ManifoldPlane::face_of_a;
   std::int32_t feature = 0;        // the face, or the edge of a
   std::int32_t other_feature = 0;  // the edge of b

@@ -93,6 +93,7 @@ bool clip_faces(const FaceFrame& f, double flush, Manifold<3>& manifold) {
                                          FlatFace(plane, f.owner, f.face, Vector<3>::Zero()), slope, flush);
   if (!(overlap.area > flush * std::sqrt(overlap.area))) return false;
   manifold.count = overlap.count;
+  manifold.area = overlap.area;
   for (int i = 0; i < overlap.count; ++i) {
     const double height = gap + slope.dot(overlap.corner[i]);
     manifold.point[std::size_t(i)] = f.in_other(plane.at(overlap.corner[i]) + height * normal);
@@ -136,20 +137,25 @@ bool is_over_face(const FaceFrame& f, double flush) {
 /// The points in front of a face. None where the other block lies beside it and does not overlap it.
 void clip(const FaceFrame& f, double flush, bool overlaps, Manifold<3>& manifold) {
   manifold.count = 0;
+  manifold.area = 0;
   if (clip_faces(f, flush, manifold) || clip_edge(f, flush, manifold)) return;
   if (!overlaps && !is_over_face(f, flush)) return;
   manifold.count = 1;
   manifold.point[0] = f.turn.inverse() * f.other.vertex(f.vertex);
 }
 
-/// The nearest point of b's edge to that of a.
+/// The nearest point of b's edge to that of a. Nearly parallel edges have no normal that holds while they
+/// turn.
 bool meet_at_edges(const PosedBlock<3>& a, const PosedBlock<3>& b, const PairInFrame& frame,
                    const PotentialPair<3>& pair, Manifold<3>& manifold) {
   const SeenOutline seen_b(b.own, frame.turn);
   const MeetingEdges edges(SeenOutline(a.own), seen_b, pair);
+  const double squares = edges.a.along.squaredNorm() * edges.b.along.squaredNorm();
+  if (edges.parallelogram.square <= nearly_flat_fraction * nearly_flat_fraction * squares) return false;
   const NearestPoints nearest(edges, frame.to_b);
   if (!nearest.are_on_edges()) return false;
   manifold.plane = ManifoldPlane::edges;
+  manifold.area = 0;
   manifold.feature = pair.a;
   manifold.other_feature = pair.b;
   manifold.count = 1;

@@ -33,7 +33,7 @@ struct RigidContact {
   }
 };
 
-static_assert(sizeof(RigidContact<2>) == 144 && sizeof(RigidContact<3>) == 416,
+static_assert(sizeof(RigidContact<2>) == 144 && sizeof(RigidContact<3>) == 424,
               "saved contacts hold stray bytes");
 
 /// A contact of the present motion.

@@ -179,9 +179,12 @@ void RigidContacts<D>::take_impulses(Half half, const ImpulseResult& result) {
     std::size_t i = 0;
     for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = row.impulse;
     contact.friction.setZero();
+    contact.couple = 0;
     for (const ImpulseRow<D>& row : problem_.frictions_of(of)) {
       contact.friction += row.impulse * row.direction;
-      contact.couple = row.impulse;  // of the last row in space
+      if constexpr (D == 3) {
+        if (row.direction.isZero(0)) contact.couple = row.impulse * contact.normal.dot(row.turn_b);
+      }
     }
   }
 }
@@ -454,6 +457,9 @@ bool RigidContacts<D>::is_consistent() const {
       return block >= 0 && std::size_t(block) < blocks_.slot_count() && blocks_.lives(std::size_t(block)) &&
              !blocks_.is_deformable(std::size_t(block));
     };
+    if constexpr (D == 3) {
+      if (!is_nonnegative(at.manifold.area)) return false;
+    }
     return is_rigid(at.a) && is_rigid(at.b) &&
            names_features(at.manifold, blocks_.own_outline(at.a), blocks_.own_outline(at.b)) &&
            halfspace::all(at.manifold.point, [](const Vector<D>& point) { return point.allFinite(); }) &&

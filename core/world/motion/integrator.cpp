@@ -81,7 +81,7 @@ template <int D>
 EnergySample Integrator<D>::begin(double time_step, double& noise) {
   look_what_moves();
   EnergySample sample;
-  double weight_times_size = 0, rounding_energy = 0;
+  double load_times_size = 0, rounding_energy = 0;
   for (std::size_t i = 0; i < blocks_.slot_count(); ++i) {
     if (blocks_.is_of_mesh(i) || blocks_.is_part(i)) continue;
     if (blocks_.kind[i] == BlockKind::prescribed) {
@@ -91,7 +91,8 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
     if (blocks_.moves_freely(i)) accelerate(i);
     if (share_.is_copy(i)) continue;  // its owner counts its energy
     if (blocks_.moves_freely(i)) {
-      weight_times_size += blocks_.mass[i] * settings_.gravity.norm() * blocks_.radius[i];
+      const double load = blocks_.mass[i] * settings_.gravity.norm() + blocks_.applied_force[i].norm();
+      load_times_size += load * blocks_.radius[i];
       const double reach = blocks_.position[i].norm() + blocks_.radius[i];
       const double speed = std::numeric_limits<double>::epsilon() * reach / time_step;
       rounding_energy += blocks_.mass[i] * speed * speed;
@@ -102,7 +103,7 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
       sample_energy(i, blocks_.velocity[i], blocks_.spin[i], sample);
     }
   }
-  noise = weight_times_size + rounding_energy;
+  noise = load_times_size + rounding_energy;
   meshes_.begin(time_step, sample, noise);
   return sample;
 }
