@@ -16,6 +16,9 @@ class ConjugateDirection {
     ratio_ = is_shorter_ && squared_length > 0 ? squared_length / last_ : 0;
     last_ = squared_length;
   }
+  /// The part of the last direction that is kept, and whether there is any.
+  double ratio() const { return ratio_; }
+  bool is_shorter() const { return is_shorter_; }
   /// Moves an impulse on along its direction of search, and renews both.
   template <class Impulse>
   Impulse advance(Impulse& impulse, Impulse& previous, Impulse& direction) const {

@@ -5,6 +5,7 @@
 
 #include "world/hard_contact/active_set.h"
 #include "world/hard_contact/conjugate_direction.h"
+#include "world/hard_contact/contact_groups.h"
 #include "world/hard_contact/impulse_problem.h"
 
 namespace halfspace {
@@ -56,21 +57,12 @@ struct SolverPause {
 template <int D>
 class ImpulseSolver {
  public:
-  explicit ImpulseSolver(Memory* memory) : active_set_(memory), previous_(memory), direction_(memory) {}
+  explicit ImpulseSolver(Memory* memory) : active_set_(memory), groups_(memory) {}
 
-  /// Takes the memory of problems of so many rows and blocks.
-  void reserve(std::size_t rows, std::size_t blocks);
+  /// Takes the memory of problems of so many contacts, rows and blocks.
+  void reserve(std::size_t contacts, std::size_t rows, std::size_t blocks);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
-
-  // Its sweeps, for a solver of more than this problem.
-  /// Applies the warm start. Returns the largest velocity by an impulse of it.
-  double begin(ImpulseProblem<D>& problem);
-  /// Returns the largest change, as a velocity.
-  double sweep(ImpulseProblem<D>& problem, bool is_backwards);
-  /// The change of the impulses since the last acceleration, in the metric of the inverse masses.
-  double squared_change(const ImpulseProblem<D>& problem) const;
-  void accelerate(ImpulseProblem<D>& problem, const ConjugateDirection& direction);
 
   const SolverPause& pause() const { return pause_; }
   void set_pause(const SolverPause& pause) { pause_ = pause; }
@@ -78,12 +70,17 @@ class ImpulseSolver {
   void sweep_only(ImpulseProblem<D>& problem, int count);
 
  private:
-  void accelerate(ImpulseProblem<D>& problem);
-  void restart_acceleration(const ImpulseProblem<D>& problem);
+  void restart_acceleration() {
+    conjugate_ = {};
+    groups_.restart_acceleration();
+  }
+  void accelerate() {
+    conjugate_.update(groups_.squared_change());
+    groups_.accelerate(conjugate_);
+  }
 
   ActiveSet<D> active_set_;
-  Array<double> previous_;   // impulses two sweeps ago
-  Array<double> direction_;  // of search
+  ContactGroups<D> groups_;
   ConjugateDirection conjugate_;
   SolverPause pause_;
 };

@@ -28,17 +28,22 @@ struct Jam {
 };
 
 /// No impulses keep the gaps of a jam open: those of a solver grow against each other, with little effect on
-/// any block. Where they have converged, the work that they still lack is 0; in a jam it is more than this
-/// multiple of the energy of the changes of velocity that they make.
-constexpr double jammed_ratio = 10;
+/// any block. Where they have converged, the work that they still lack is 0; in a jam it becomes any multiple
+/// of the energy of the changes of velocity that they make. More than the first may be one, the second is.
+constexpr double suspected_ratio = 1, jammed_ratio = 10;
+
+/// Enough sweeps for the impulses of a jam to grow from one to the other.
+constexpr int sweeps_of_suspect = 1000;
 
 /// Prescribed blocks that move together, as the walls of a box, do no work against each other.
 constexpr double jamming_work_fraction = 0.5;
 
 /// Finds the jam in the impulses of a solver that has not converged. The problem's motions contain them.
-/// `free(i)`: the motion of a block without impulses. `duration`: over which the impulses act, s.
+/// `free(i)`: the motion of a block without impulses. `duration`: over which the impulses act, s. `ratio`: of
+/// lacking work to energy.
 template <int D, class Free>
-std::optional<Jam> find_jam(ImpulseProblem<D>& problem, const Blocks<D>& blocks, Free free, double duration) {
+std::optional<Jam> find_jam(ImpulseProblem<D>& problem, const Blocks<D>& blocks, Free free, double duration,
+                            double ratio) {
   const auto given = [&](std::int32_t block) {
     const bool is_prescribed = blocks.kind[std::size_t(block)] == BlockKind::prescribed;
     return is_prescribed ? free(std::size_t(block)) : BlockMotion<D>();
@@ -67,7 +72,7 @@ std::optional<Jam> find_jam(ImpulseProblem<D>& problem, const Blocks<D>& blocks,
     largest_impulse = impulse;
     jam.block = drives_a ? contact.a : contact.b;
   }
-  const bool is_jam = lacking > jammed_ratio * made && driven > jamming_work_fraction * driven_size;
+  const bool is_jam = lacking > ratio * made && driven > jamming_work_fraction * driven_size;
   return is_jam ? std::optional(jam) : std::nullopt;
 }
 

@@ -30,16 +30,18 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
   // Each side computes with motions of its own, and takes over those of shared blocks from the other.
   const auto tell_points = [&] {
     for (std::size_t k = 0; k < shared_.size(); ++k)
-      changes.set_motion(shared_[k], problem.motions[shared_[k]] - before_[k]);
+      changes.set_motion(shared_[k], groups_.motion(shared_[k]) - before_[k]);
   };
   const auto tell_manifolds = [&] {
     for (std::size_t k = 0; k < shared_.size(); ++k) {
-      problem.motions[shared_[k]] = before_[k];
-      problem.motions[shared_[k]] += changes.of_motion(shared_[k]);
+      BlockMotion<D> motion = before_[k];
+      motion += changes.of_motion(shared_[k]);
+      groups_.set_motion(shared_[k], motion);
     }
   };
   ConstraintSweeps<D> sweeps(points, changes);
-  double fastest = solver_.begin(problem);
+  groups_.take(problem);
+  double fastest = groups_.begin();
   tell_points();
   fastest = std::max(fastest, sweeps.begin());
   tell_manifolds();
@@ -54,20 +56,21 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
       tell_manifolds();
     };
     if (!is_forwards) sweep_points();
-    of_manifolds_ = solver_.sweep(problem, !is_forwards);
+    of_manifolds_ = groups_.sweep(!is_forwards);
     tell_points();
     if (is_forwards) sweep_points();
     const double changed = std::max(of_manifolds_, of_points);
     fastest = std::max(fastest, changed);
     result = {i, changed, changed <= settings.tolerance_for(fastest), fastest};
-    if (is_balanced(result) || stall.is_reached(changed)) return result;
+    if (is_balanced(result) || stall.is_reached(changed)) break;
     if (!is_forwards) continue;
-    direction.update(solver_.squared_change(problem) + sweeps.squared_change());
-    solver_.accelerate(problem, direction);
+    direction.update(groups_.squared_change() + sweeps.squared_change());
+    groups_.accelerate(direction);
     tell_points();
     sweeps.accelerate(direction);
     tell_manifolds();
   }
+  groups_.give(problem);
   return result;
 }
 

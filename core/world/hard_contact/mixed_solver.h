@@ -1,6 +1,7 @@
 #pragma once
 
 #include "world/hard_contact/contact_constraint.h"
+#include "world/hard_contact/contact_groups.h"
 #include "world/hard_contact/impulse_solver.h"
 
 namespace halfspace {
@@ -16,7 +17,7 @@ template <int D>
 class MixedSolver {
  public:
   MixedSolver(const Blocks<D>& blocks, Memory* memory)
-      : blocks_(blocks), solver_(memory), start_(memory), shared_(memory), before_(memory) {}
+      : blocks_(blocks), groups_(memory), start_(memory), shared_(memory), before_(memory) {}
 
   /// Solves from no changes, and motions of the problem without any impulses. The impulses of both are the
   /// start and the result.
@@ -37,7 +38,7 @@ class MixedSolver {
   void find_shared(const ImpulseProblem<D>& problem, std::span<const ContactConstraint<D>> points);
 
   const Blocks<D>& blocks_;
-  ImpulseSolver<D> solver_;
+  ContactGroups<D> groups_;
   double of_manifolds_ = 0;
   Array<double> start_;           // impulses of manifolds
   Array<std::size_t> shared_;     // rigid blocks that have points

@@ -154,8 +154,16 @@ ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const 
 }
 
 template <int D>
+std::optional<Jam> RigidContacts<D>::find_jam(Half half, double ratio) {
+  const auto free = [&](std::size_t i) { return motion_in(half, i); };
+  return halfspace::find_jam(problem_, blocks_, free, 1 / changes().rate(), ratio);
+}
+
+template <int D>
 bool RigidContacts<D>::solve(Half half, double duration) {
   const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
+  if (!result.has_converged && find_jam(half, suspected_ratio))
+    solver_.sweep_only(problem_, sweeps_of_suspect);
   take_impulses(half, result);
   push();
   return result.has_converged;
@@ -165,9 +173,7 @@ bool RigidContacts<D>::solve(Half half, double duration) {
 template <int D>
 void RigidContacts<D>::take_impulses(Half half, const ImpulseResult& result) {
   jam_.reset();
-  if (!result.has_converged)
-    jam_ = find_jam(
-        problem_, blocks_, [&](std::size_t i) { return motion_in(half, i); }, 1 / changes().rate());
+  if (!result.has_converged) jam_ = find_jam(half, jammed_ratio);
   if (jam_) {
     for (ImpulseRow<D>& row : problem_.rows) row.impulse = 0;
   }
@@ -239,7 +245,7 @@ void RigidContacts<D>::find(double duration) {
 template <int D>
 void RigidContacts<D>::build() {
   rows_.build(planned_, problem_);
-  solver_.reserve(problem_.rows.size(), blocks_.slot_count());
+  solver_.reserve(problem_.contacts.size(), problem_.rows.size(), blocks_.slot_count());
   set_motions(Half::first);
 }
 

@@ -116,6 +116,7 @@ class RigidContacts {
   void add_other_changes();
   BlockMotion<D> motion(std::size_t slot) const;
   BlockMotion<D> motion_in(Half half, std::size_t slot) const;
+  std::optional<Jam> find_jam(Half half, double ratio);
   double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);

@@ -1,0 +1,382 @@
+#include "world/hard_contact/contact_groups.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "simd/four_lanes.h"
+#include "world/hard_contact/manifold.h"
+
+namespace halfspace {
+namespace {
+
+/// Contacts of blocks that have more are in groups of their own, swept last.
+constexpr int colours = 64;
+
+template <class Four>
+[[gnu::always_inline]] inline Four lanes(const OfFour& numbers) {
+  return load_four<Four>(numbers.data());
+}
+
+/// The symmetric tensor xx, yy, zz, xy, yz, xz times a vector.
+template <class Four, std::size_t size>
+[[gnu::always_inline]] inline void multiply(const OfFour (&tensor)[size], const Four* vector, Four* product) {
+  if constexpr (size == 1) {
+    product[0] = lanes<Four>(tensor[0]) * vector[0];
+  } else {
+    const Four xy = lanes<Four>(tensor[3]), yz = lanes<Four>(tensor[4]), xz = lanes<Four>(tensor[5]);
+    product[0] = lanes<Four>(tensor[0]) * vector[0] + xy * vector[1] + xz * vector[2];
+    product[1] = xy * vector[0] + lanes<Four>(tensor[1]) * vector[1] + yz * vector[2];
+    product[2] = xz * vector[0] + yz * vector[1] + lanes<Four>(tensor[2]) * vector[2];
+  }
+}
+
+void put(const InertiaTensor<2>& tensor, std::size_t lane, OfFour (&to)[1]) { to[0][lane] = tensor(0, 0); }
+void put(const InertiaTensor<3>& tensor, std::size_t lane, OfFour (&to)[6]) {
+  const double parts[6] = {tensor(0, 0), tensor(1, 1), tensor(2, 2),
+                           tensor(0, 1), tensor(1, 2), tensor(0, 2)};
+  for (std::size_t i = 0; i < 6; ++i) to[i][lane] = parts[i];
+}
+
+template <class Vector, std::size_t size>
+void put(const Vector& vector, std::size_t lane, OfFour (&to)[size]) {
+  for (std::size_t i = 0; i < size; ++i) to[i][lane] = vector[Eigen::Index(i)];
+}
+
+}  // namespace
+
+/// The motions of four blocks.
+template <int D>
+template <class Four>
+struct ContactGroups<D>::Motions {
+  Four velocity[D];
+  Four spin[angular];
+
+  [[gnu::always_inline]] void load(const double* motions, const std::int32_t* blocks) {
+    Four rows[4];
+    for (int i = 0; i < 4; ++i) rows[i] = load_four<Four>(motions + stride * std::size_t(blocks[i]));
+    transpose(rows);
+    for (int i = 0; i < D; ++i) velocity[i] = rows[i];
+    if constexpr (D == 2) {
+      spin[0] = rows[2];
+    } else {
+      for (int i = 0; i < 4; ++i) rows[i] = load_four<Four>(motions + stride * std::size_t(blocks[i]) + 4);
+      transpose(rows);
+      for (int i = 0; i < 3; ++i) spin[i] = rows[i];
+    }
+  }
+  [[gnu::always_inline]] void store(double* motions, const std::int32_t* blocks) const {
+    const Four none = all_four<Four>(0);
+    Four rows[4] = {velocity[0], velocity[1], D == 2 ? spin[0] : velocity[D - 1], none};
+    transpose(rows);
+    for (int i = 0; i < 4; ++i) store_four(motions + stride * std::size_t(blocks[i]), rows[i]);
+    if constexpr (D == 3) {
+      Four turns[4] = {spin[0], spin[1], spin[2], none};
+      transpose(turns);
+      for (int i = 0; i < 4; ++i) store_four(motions + stride * std::size_t(blocks[i]) + 4, turns[i]);
+    }
+  }
+  /// Adds an impulse along a row, `sign` 1 on b and -1 on a.
+  [[gnu::always_inline]] void push(const Row& row, const OfFour (&turn)[angular], const OfFour& inverse_mass,
+                                   const OfFour (&inverse_inertia)[tensor], const Four& impulse) {
+    const Four change = impulse * lanes<Four>(inverse_mass);
+    for (int i = 0; i < D; ++i) velocity[i] = velocity[i] + change * lanes<Four>(row.direction[i]);
+    Four torque[angular], turned[angular];
+    for (std::size_t i = 0; i < angular; ++i) torque[i] = impulse * lanes<Four>(turn[i]);
+    multiply(inverse_inertia, torque, turned);
+    for (std::size_t i = 0; i < angular; ++i) spin[i] = spin[i] + turned[i];
+  }
+  /// The velocity of b against this along a row.
+  [[gnu::always_inline]] Four velocity_of(const Motions& b, const Row& row) const {
+    Four sum = all_four<Four>(0);
+    for (int i = 0; i < D; ++i) sum = sum + (b.velocity[i] - velocity[i]) * lanes<Four>(row.direction[i]);
+    for (std::size_t i = 0; i < angular; ++i)
+      sum = sum + (b.spin[i] * lanes<Four>(row.turn_b[i]) - spin[i] * lanes<Four>(row.turn_a[i]));
+    return sum;
+  }
+};
+
+template <int D>
+void ContactGroups<D>::reserve(std::size_t contacts, std::size_t rows, std::size_t blocks) {
+  groups_.reserve(contacts);
+  rows_.reserve(rows);
+  motions_.reserve(stride * (blocks + 1));
+  colour_of_.reserve(contacts);
+  used_colours_.reserve(blocks);
+  order_.reserve(contacts);
+  sizes_.reserve((colours + 1) * (max_manifold_points<D> + 1) + 1);
+}
+
+/// Colours the contacts one after the other by the first colour that none of their blocks has, and orders
+/// them by colour and number of normals: so lanes of a group have work alike. Blocks that do not move have
+/// none.
+template <int D>
+void ContactGroups<D>::colour(const ImpulseProblem<D>& problem) {
+  constexpr std::size_t kinds = max_manifold_points<D> + 1;
+  used_colours_.assign(problem.motions.size(), 0);
+  colour_of_.clear();
+  sizes_.assign((colours + 1) * kinds + 1, 0);
+  const auto kind_of = [&](std::size_t c) {
+    return std::size_t(colour_of_[c]) * kinds + std::size_t(problem.contacts[c].normal_count);
+  };
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    const std::uint64_t none = 0;
+    std::uint64_t own = 0;
+    std::uint64_t& of_a = used_colours_[std::size_t(contact.a)];
+    std::uint64_t& of_b = used_colours_[std::size_t(contact.b)];
+    const bool moves_a = contact.inverse_mass_a > 0, moves_b = contact.inverse_mass_b > 0;
+    const std::uint64_t taken = (moves_a ? of_a : none) | (moves_b ? of_b : none);
+    const int first = std::countr_one(taken);
+    if (first < colours) own = std::uint64_t(1) << first;
+    if (moves_a) of_a |= own;
+    if (moves_b) of_b |= own;
+    colour_of_.push_back(std::uint8_t(first));
+    ++sizes_[kind_of(colour_of_.size() - 1) + 1];
+  }
+  for (std::size_t k = 1; k < sizes_.size(); ++k) sizes_[k] += sizes_[k - 1];
+  order_.resize(problem.contacts.size());
+  for (std::size_t c = 0; c < order_.size(); ++c) order_[std::size_t(sizes_[kind_of(c)]++)] = std::int32_t(c);
+}
+
+template <int D>
+void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, std::span<const std::int32_t> contacts,
+                            Group& group) {
+  const std::int32_t nobody = std::int32_t(problem.motions.size());
+  group.first_row = std::int32_t(rows_.size());
+  group.normal_count = group.friction_count = 0;
+  for (const std::int32_t c : contacts) {
+    group.normal_count = std::max(group.normal_count, problem.contacts[std::size_t(c)].normal_count);
+    group.friction_count = std::max(group.friction_count, problem.contacts[std::size_t(c)].friction_count);
+  }
+  rows_.resize(rows_.size() + std::size_t(group.normal_count + group.friction_count), Row{});
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    group.contact[lane] = lane < contacts.size() ? contacts[lane] : -1;
+    group.a[lane] = group.b[lane] = nobody;
+    if (lane >= contacts.size()) continue;
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(contacts[lane])];
+    group.a[lane] = contact.a;
+    group.b[lane] = contact.b;
+    group.inverse_mass_a[lane] = contact.inverse_mass_a;
+    group.inverse_mass_b[lane] = contact.inverse_mass_b;
+    put(problem.inverse_masses[std::size_t(contact.a)].of_inertia, lane, group.inverse_inertia_a);
+    put(problem.inverse_masses[std::size_t(contact.b)].of_inertia, lane, group.inverse_inertia_b);
+    group.tan_friction[lane] = contact.tan_friction;
+    const auto fill_row = [&](const ImpulseRow<D>& from, Row& to) {
+      put(from.direction, lane, to.direction);
+      put(from.turn_a, lane, to.turn_a);
+      put(from.turn_b, lane, to.turn_b);
+      to.inverse_mass[lane] = from.inverse_mass;
+      to.mass[lane] = 1 / from.inverse_mass;
+      to.target[lane] = from.target;
+      to.impulse[lane] = from.impulse;
+    };
+    const std::span<const ImpulseRow<D>> rows = problem.rows_of(contact);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const bool is_friction = i >= std::size_t(contact.normal_count);
+      const std::size_t place = is_friction ? i + std::size_t(group.normal_count - contact.normal_count) : i;
+      fill_row(rows[i], rows_[std::size_t(group.first_row) + place]);
+    }
+  }
+}
+
+template <int D>
+void ContactGroups<D>::take(const ImpulseProblem<D>& problem) {
+  motions_.assign(stride * (problem.motions.size() + 1), 0);
+  set_motions(problem);
+  colour(problem);
+  groups_.clear();
+  rows_.clear();
+  for (std::size_t first = 0; first < order_.size();) {
+    const std::uint8_t colour = colour_of_[std::size_t(order_[first])];
+    std::size_t end = first + 1;
+    const std::size_t most = colour < colours ? 4 : 1;
+    while (end < order_.size() && end < first + most && colour_of_[std::size_t(order_[end])] == colour) ++end;
+    groups_.push_back(Group{});
+    fill(problem, {order_.data() + first, end - first}, groups_.back());
+    first = end;
+  }
+}
+
+template <int D>
+void ContactGroups<D>::set_motions(const ImpulseProblem<D>& problem) {
+  for (std::size_t i = 0; i < problem.motions.size(); ++i) set_motion(i, problem.motions[i]);
+}
+
+template <int D>
+void ContactGroups<D>::renew(const ImpulseProblem<D>& problem) {
+  set_motions(problem);
+  for_each_contact([&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
+    const ImpulseContact<D>& contact = problem.contacts[c];
+    const std::span<const ImpulseRow<D>> rows = problem.rows_of(contact);
+    const std::size_t normals = std::size_t(contact.normal_count);
+    for (const ImpulseRow<D>& row : rows.first(normals)) rows_[normal++].impulse[lane] = row.impulse;
+    for (const ImpulseRow<D>& row : rows.subspan(normals)) rows_[friction++].impulse[lane] = row.impulse;
+  });
+}
+
+template <int D>
+void ContactGroups<D>::give(ImpulseProblem<D>& problem) const {
+  for_each_contact([&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
+    const ImpulseContact<D>& contact = problem.contacts[c];
+    for (ImpulseRow<D>& row : problem.normals_of(contact)) row.impulse = rows_[normal++].impulse[lane];
+    for (ImpulseRow<D>& row : problem.frictions_of(contact)) row.impulse = rows_[friction++].impulse[lane];
+    if (contact.inverse_mass_a > 0) problem.motions[std::size_t(contact.a)] = motion(std::size_t(contact.a));
+    if (contact.inverse_mass_b > 0) problem.motions[std::size_t(contact.b)] = motion(std::size_t(contact.b));
+  });
+}
+
+template <int D>
+BlockMotion<D> ContactGroups<D>::motion(std::size_t block) const {
+  const double* at = motions_.data() + stride * block;
+  BlockMotion<D> motion;
+  for (int i = 0; i < D; ++i) motion.velocity[i] = at[i];
+  for (std::size_t i = 0; i < angular; ++i) motion.spin[Eigen::Index(i)] = at[(D == 2 ? 2 : 4) + i];
+  return motion;
+}
+
+template <int D>
+void ContactGroups<D>::set_motion(std::size_t block, const BlockMotion<D>& motion) {
+  double* at = motions_.data() + stride * block;
+  for (int i = 0; i < D; ++i) at[i] = motion.velocity[i];
+  for (std::size_t i = 0; i < angular; ++i) at[(D == 2 ? 2 : 4) + i] = motion.spin[Eigen::Index(i)];
+}
+
+/// Normal impulses one after the other, then friction within the bound that they give. Returns the largest
+/// change, as a velocity.
+template <int D>
+template <class Four>
+[[gnu::always_inline]] inline double ContactGroups<D>::visit(Group& group) {
+  Motions<Four> a, b;
+  a.load(motions_.data(), group.a);
+  b.load(motions_.data(), group.b);
+  const Four none = all_four<Four>(0);
+  Four largest = none, load = none;
+  const auto change = [&](Row & row, const Four& impulse) __attribute__((always_inline)) {
+    const Four by = impulse - lanes<Four>(row.impulse);
+    store_four(row.impulse.data(), impulse);
+    a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, none - by);
+    b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, by);
+    largest = max(largest, abs(by) * lanes<Four>(row.inverse_mass));
+  };
+  const auto stopping = [&](const Row& row, const Four& mass) __attribute__((always_inline)) {
+    return lanes<Four>(row.impulse) - (a.velocity_of(b, row) - lanes<Four>(row.target)) * mass;
+  };
+  Row* const rows = rows_.data() + group.first_row;
+  for (std::int32_t i = 0; i < group.normal_count; ++i) {
+    const Four impulse = max(none, stopping(rows[i], lanes<Four>(rows[i].mass)));
+    load = load + impulse;
+    change(rows[i], impulse);
+  }
+  Row* const friction = rows + group.normal_count;
+  const Four bound = lanes<Four>(group.tan_friction) * load;
+  if constexpr (D == 2) {
+    if (group.friction_count > 0)
+      change(friction[0],
+             max(none - bound, min(bound, stopping(friction[0], lanes<Four>(friction[0].mass)))));
+  } else {
+    // Where friction would exceed its bound, all its rows have the same mass, so that it opposes the slip.
+    constexpr double no_row = 1e300;
+    Four within[3], beyond[3], common = all_four<Four>(no_row), square = none, square_beyond = none;
+    for (std::int32_t k = 0; k < group.friction_count; ++k) {
+      const Four mass = lanes<Four>(friction[k].mass);
+      common = min(common, select_less(none, mass, mass, all_four<Four>(no_row)));
+      within[k] = stopping(friction[k], mass);
+      square = square + within[k] * within[k];
+    }
+    for (std::int32_t k = 0; k < group.friction_count; ++k) {
+      beyond[k] = stopping(friction[k], common);
+      square_beyond = square_beyond + beyond[k] * beyond[k];
+    }
+    const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(1e-300));
+    const Four scale = min(all_four<Four>(1), bound / size_beyond);
+    for (std::int32_t k = 0; k < group.friction_count; ++k)
+      change(friction[k], select_less(bound, size, beyond[k] * scale, within[k]));
+  }
+  a.store(motions_.data(), group.a);
+  b.store(motions_.data(), group.b);
+  return reduce_max(largest);
+}
+
+template <int D>
+double ContactGroups<D>::sweep(bool is_backwards) {
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    double largest = 0;
+    const std::size_t count = groups_.size();
+    for (std::size_t i = 0; i < count; ++i)
+      largest = std::max(largest, visit<Four>(groups_[is_backwards ? count - 1 - i : i]));
+    return largest;
+  });
+}
+
+template <int D>
+double ContactGroups<D>::begin() {
+  restart_acceleration();
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    Four fastest = all_four<Four>(0);
+    for (const Group& group : groups_) {
+      Motions<Four> a, b;
+      a.load(motions_.data(), group.a);
+      b.load(motions_.data(), group.b);
+      for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
+        const Row& row = rows_[std::size_t(group.first_row + i)];
+        const Four impulse = lanes<Four>(row.impulse);
+        a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, all_four<Four>(0) - impulse);
+        b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, impulse);
+        if (i < group.normal_count) fastest = max(fastest, impulse * lanes<Four>(row.inverse_mass));
+      }
+      a.store(motions_.data(), group.a);
+      b.store(motions_.data(), group.b);
+    }
+    return reduce_max(fastest);
+  });
+}
+
+template <int D>
+void ContactGroups<D>::restart_acceleration() {
+  for (Row& row : rows_) {
+    row.before = row.impulse;
+    row.search.fill(0);
+  }
+}
+
+template <int D>
+double ContactGroups<D>::squared_change() const {
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    Four sum = all_four<Four>(0);
+    for (const Row& row : rows_) {
+      const Four change = lanes<Four>(row.impulse) - lanes<Four>(row.before);
+      sum = sum + change * change * lanes<Four>(row.inverse_mass);
+    }
+    return reduce(sum);
+  });
+}
+
+template <int D>
+void ContactGroups<D>::accelerate(const ConjugateDirection& direction) {
+  with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    const Four ratio = all_four<Four>(direction.ratio());
+    for (const Group& group : groups_) {
+      Motions<Four> a, b;
+      a.load(motions_.data(), group.a);
+      b.load(motions_.data(), group.b);
+      for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
+        Row& row = rows_[std::size_t(group.first_row + i)];
+        const Four more = ratio * lanes<Four>(row.search), impulse = lanes<Four>(row.impulse);
+        const Four search =
+            direction.is_shorter() ? more + impulse - lanes<Four>(row.before) : all_four<Four>(0);
+        store_four(row.search.data(), search);
+        store_four(row.impulse.data(), impulse + more);
+        store_four(row.before.data(), impulse + more);
+        a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, all_four<Four>(0) - more);
+        b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, more);
+      }
+      a.store(motions_.data(), group.a);
+      b.store(motions_.data(), group.b);
+    }
+  });
+}
+
+template class ContactGroups<2>;
+template class ContactGroups<3>;
+
+}  // namespace halfspace

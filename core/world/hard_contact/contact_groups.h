@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "world/hard_contact/conjugate_direction.h"
+#include "world/hard_contact/impulse_problem.h"
+
+namespace halfspace {
+
+/// A number of each of four contacts.
+using OfFour = std::array<double, 4>;
+
+/// The contacts of an impulse problem in groups of four, for sweeps of projected Gauss-Seidel in SIMD lanes.
+/// No block that impulses move has two contacts in a group, since groups follow a colouring of the contacts
+/// (the colours are an idea of Box2D v3, Catto 2024). A sweep visits colour after colour, so that its result
+/// does not depend on the number of lanes.
+template <int D>
+class ContactGroups {
+ public:
+  explicit ContactGroups(Memory* memory)
+      : groups_(memory),
+        rows_(memory),
+        motions_(memory),
+        colour_of_(memory),
+        used_colours_(memory),
+        order_(memory),
+        sizes_(memory) {}
+
+  /// Takes the memory of problems of so many contacts, rows and blocks.
+  void reserve(std::size_t contacts, std::size_t rows, std::size_t blocks);
+  /// Copies a problem, with its motions and impulses.
+  void take(const ImpulseProblem<D>& problem);
+  /// Copies the motions and impulses of the same problem anew.
+  void renew(const ImpulseProblem<D>& problem);
+  /// Copies motions and impulses back.
+  void give(ImpulseProblem<D>& problem) const;
+
+  /// Adds the present impulses to the motions. Returns the largest velocity by a normal one.
+  double begin();
+  /// Returns the largest change, as a velocity.
+  double sweep(bool is_backwards);
+
+  // Acceleration by conjugate directions.
+  void restart_acceleration();
+  /// The change of the impulses since the last acceleration, in the metric of the inverse masses.
+  double squared_change() const;
+  void accelerate(const ConjugateDirection& direction);
+
+  BlockMotion<D> motion(std::size_t block) const;
+  void set_motion(std::size_t block, const BlockMotion<D>& motion);
+
+ private:
+  static constexpr std::size_t angular = D == 2 ? 1 : 3, tensor = D == 2 ? 1 : 6;
+  static constexpr std::size_t stride = D == 2 ? 4 : 8;  // of a block's motion
+
+  struct Row {
+    OfFour direction[D];
+    OfFour turn_a[angular];
+    OfFour turn_b[angular];
+    OfFour inverse_mass;
+    OfFour mass;  // 0 in a lane that has no such row
+    OfFour target;
+    OfFour impulse;
+    OfFour before;  // impulses at the last acceleration
+    OfFour search;  // direction of the acceleration
+  };
+  struct Group {
+    std::int32_t contact[4];  // -1: none
+    std::int32_t a[4];
+    std::int32_t b[4];
+    std::int32_t first_row;
+    std::int32_t normal_count;
+    std::int32_t friction_count;
+    OfFour inverse_mass_a;
+    OfFour inverse_mass_b;
+    OfFour inverse_inertia_a[tensor];
+    OfFour inverse_inertia_b[tensor];
+    OfFour tan_friction;
+  };
+  template <class Four>
+  struct Motions;
+
+  void colour(const ImpulseProblem<D>& problem);
+  void fill(const ImpulseProblem<D>& problem, std::span<const std::int32_t> contacts, Group& group);
+  template <class Four>
+  [[gnu::always_inline]] double visit(Group& group);
+  /// Calls `visit(contact, lane, first normal row, first friction row)`.
+  template <class Visit>
+  void for_each_contact(Visit visit) const {
+    for (const Group& group : groups_)
+      for (std::size_t lane = 0; lane < 4 && group.contact[lane] >= 0; ++lane)
+        visit(std::size_t(group.contact[lane]), lane, std::size_t(group.first_row),
+              std::size_t(group.first_row + group.normal_count));
+  }
+  void set_motions(const ImpulseProblem<D>& problem);
+
+  Array<Group> groups_;
+  Array<Row> rows_;
+  Array<double> motions_;              // of each block, and of one more, which lanes without a contact have
+  Array<std::uint8_t> colour_of_;      // of each contact
+  Array<std::uint64_t> used_colours_;  // of each block
+  Array<std::int32_t> order_;          // of contacts, by colour and number of normals
+  Array<std::int32_t> sizes_;
+};
+
+extern template class ContactGroups<2>;
+extern template class ContactGroups<3>;
+
+}  // namespace halfspace
