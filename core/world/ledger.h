@@ -88,7 +88,7 @@ class EnergyLedger {
   void note_edit() { residual_before_edit_ = entries_.residual(); }
 
   /// Restarts after an edit, whose change of energy is external work. `noise`: the energy of rounding errors,
-  /// and of a motion of the blocks by their own size under their weights and applied forces.
+  /// and of a motion of the blocks by their own size under their weights and applied loads.
   void begin(const EnergySample& sample, double noise) {
     take(sample);
     noise_energy_ = noise + entries_.kinetic + entries_.strain + entries_.block_strain;

@@ -72,7 +72,7 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
     if (contact.friction_count == 0) continue;
     const std::span<ImpulseRow<D>> friction = problem.frictions_of(contact);
     const double bound = problem.friction_bound(contact);
-    std::array<double, max_friction_rows<D>> projected;
+    std::array<double, max_friction_rows<D>> projected{};
     const double size = problem.project_friction(contact, bound, projected);
     // A contact that has just begun to bear has no bound yet: it sticks at first.
     const bool sticks = bears && (bound <= 0 || size < bound);

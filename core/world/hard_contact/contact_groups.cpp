@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "simd/four_lanes.h"
 #include "world/hard_contact/manifold.h"
@@ -96,13 +95,32 @@ struct ContactGroups<D>::Motions {
   }
 };
 
+/// Contacts of a colour are in order of their normals, so groups of four have a quarter of all rows, and one
+/// more group for each colour. A contact has no colour only if its blocks have more contacts than there are.
 template <int D>
-void ContactGroups<D>::reserve(std::size_t contacts, std::size_t rows, std::size_t blocks) {
-  groups_.reserve(contacts);
-  rows_.reserve(rows);
+void ContactGroups<D>::reserve(const ImpulseProblem<D>& problem) {
+  const std::size_t blocks = problem.motions.size(), contacts = problem.contacts.size();
+  Array<std::uint64_t>& contacts_of = used_colours_;
+  contacts_of.assign(blocks, 0);
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    contacts_of[std::size_t(contact.a)] += contact.inverse_mass_a > 0;
+    contacts_of[std::size_t(contact.b)] += contact.inverse_mass_b > 0;
+  }
+  std::size_t most_colours = 1, normals = 0, alone = 0, rows_alone = 0;
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    const std::size_t of_both = contacts_of[std::size_t(contact.a)] + contacts_of[std::size_t(contact.b)];
+    most_colours = std::max(most_colours, std::min(of_both, std::size_t(colours)));
+    normals += std::size_t(contact.normal_count);
+    if (of_both <= std::size_t(colours)) continue;
+    ++alone;
+    rows_alone += std::size_t(contact.normal_count) + max_friction_rows<D>;
+  }
+  const std::size_t coloured = contacts / 4 + most_colours;
+  groups_.reserve(coloured + alone);
+  rows_.reserve(normals / 4 + most_colours * max_manifold_points<D> + coloured * max_friction_rows<D> +
+                rows_alone);
   motions_.reserve(stride * (blocks + 1));
   colour_of_.reserve(contacts);
-  used_colours_.reserve(blocks);
   order_.reserve(contacts);
   sizes_.reserve((colours + 1) * (max_manifold_points<D> + 1) + 1);
 }
@@ -166,7 +184,7 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, std::span<const st
       put(from.turn_a, lane, to.turn_a);
       put(from.turn_b, lane, to.turn_b);
       to.inverse_mass[lane] = from.inverse_mass;
-      to.mass[lane] = 1 / from.inverse_mass;
+      to.mass[lane] = from.inverse_mass > 0 ? 1 / from.inverse_mass : 0;
       to.target[lane] = from.target;
       to.impulse[lane] = from.impulse;
     };

@@ -27,8 +27,8 @@ class ContactGroups {
         order_(memory),
         sizes_(memory) {}
 
-  /// Takes the memory of problems of so many contacts, rows and blocks.
-  void reserve(std::size_t contacts, std::size_t rows, std::size_t blocks);
+  /// Takes the memory of this problem, and of those of some of its contacts with other friction rows.
+  void reserve(const ImpulseProblem<D>& problem);
   /// Copies a problem, with its motions and impulses.
   void take(const ImpulseProblem<D>& problem);
   /// Copies the motions and impulses of the same problem anew.

@@ -51,6 +51,7 @@ bool HardContacts<D>::find_impulses(double time, double duration) {
 template <int D>
 bool HardContacts<D>::set_gap_targets(double time, double duration, bool is_first_search) {
   rigid_.build();
+  if (!points_.empty()) together_.reserve(rigid_.problem());
   if (is_first_search) {
     points_.push(rigid_.impulse_scale(duration));
     rigid_.find_impacts(time, duration);
@@ -110,7 +111,7 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
     }
   }
   if (!is_balanced(result)) result = sweep(max_mixed_sweeps);
-  rigid_.take_impulses(half, result);
+  rigid_.take_impulses_beside_points(half, result);
   changes().begin(duration);
   points_.push();
   rigid_.push();

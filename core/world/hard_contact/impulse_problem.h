@@ -143,4 +143,13 @@ struct ImpulseProblem {
   Array<InverseMass<D>> inverse_masses;  // of each block
 };
 
+/// The most rows that the contacts of a problem may have: a patch has a couple only where it has some size.
+template <int D>
+std::size_t most_rows(const ImpulseProblem<D>& problem) {
+  std::size_t rows = 0;
+  for (const ImpulseContact<D>& contact : problem.contacts)
+    rows += std::size_t(contact.normal_count) + max_friction_rows<D>;
+  return rows;
+}
+
 }  // namespace halfspace

@@ -1,7 +1,6 @@
 #include "world/hard_contact/impulse_solver.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "world/hard_contact/stall.h"
 
@@ -17,9 +16,12 @@ constexpr double helpful_fraction = 0.1;
 }  // namespace
 
 template <int D>
-void ImpulseSolver<D>::reserve(std::size_t contacts, std::size_t rows, std::size_t blocks) {
+void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
+  const std::size_t rows = most_rows(problem), blocks = problem.motions.size();
   active_set_.reserve(rows, blocks);
-  groups_.reserve(contacts, rows, blocks);
+  groups_.reserve(problem);
+  start_.reserve(rows);
+  start_motions_.reserve(blocks);
 }
 
 template <int D>

@@ -57,17 +57,30 @@ struct SolverPause {
 template <int D>
 class ImpulseSolver {
  public:
-  explicit ImpulseSolver(Memory* memory) : active_set_(memory), groups_(memory) {}
+  explicit ImpulseSolver(Memory* memory)
+      : active_set_(memory), groups_(memory), start_(memory), start_motions_(memory) {}
 
-  /// Takes the memory of problems of so many contacts, rows and blocks.
-  void reserve(std::size_t contacts, std::size_t rows, std::size_t blocks);
+  /// Takes the memory of this problem, and of those of some of its contacts with other friction rows.
+  void reserve(const ImpulseProblem<D>& problem);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
 
   const SolverPause& pause() const { return pause_; }
   void set_pause(const SolverPause& pause) { pause_ = pause; }
-  /// So many sweeps only, from no impulses.
+  /// So many sweeps only; the problem's motions contain its impulses.
   void sweep_only(ImpulseProblem<D>& problem, int count);
+  /// Asks after so many sweeps more, and returns to the impulses before them.
+  template <class Ask>
+  auto ask_after_sweeps(ImpulseProblem<D>& problem, int count, Ask ask) {
+    start_.clear();
+    for (const ImpulseRow<D>& row : problem.rows) start_.push_back(row.impulse);
+    start_motions_.assign(problem.motions.begin(), problem.motions.end());
+    sweep_only(problem, count);
+    const auto answer = ask();
+    for (std::size_t i = 0; i < start_.size(); ++i) problem.rows[i].impulse = start_[i];
+    std::copy(start_motions_.begin(), start_motions_.end(), problem.motions.begin());
+    return answer;
+  }
 
  private:
   void restart_acceleration() {
@@ -81,6 +94,8 @@ class ImpulseSolver {
 
   ActiveSet<D> active_set_;
   ContactGroups<D> groups_;
+  Array<double> start_;  // of ask_after_sweeps()
+  Array<BlockMotion<D>> start_motions_;
   ConjugateDirection conjugate_;
   SolverPause pause_;
 };

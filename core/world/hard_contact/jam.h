@@ -60,6 +60,7 @@ std::optional<Jam> find_jam(ImpulseProblem<D>& problem, const Blocks<D>& blocks,
     for (const ImpulseRow<D>& row : problem.rows_of(contact))
       made += row.impulse * (problem.velocity_along(contact, row) - row.velocity(a, b));
     for (const ImpulseRow<D>& row : problem.normals_of(contact)) {
+      if (row.impulse == 0) continue;  // it may have no target
       impulse += row.impulse;
       lacking += row.impulse * (row.target - problem.velocity_along(contact, row));
       const double driven_by_row = -row.impulse * row.velocity(given_a, given_b);

@@ -53,8 +53,8 @@ class ManifoldSearch {
   }
   /// A point nearer to a face than this is on it.
   double reach(const RigidContact<D>& contact) const;
-  /// A point less deep than this does not recover. Friction acts in the middle of the points within this
-  /// distance of the lowest one.
+  /// A point less deep than this does not recover. Friction acts at the centroid of the points within
+  /// this distance of the lowest one.
   double settled_gap(const RigidContact<D>& contact) const;
   /// A loaded point this close to its face stays as it is.
   double resting_gap(const RigidContact<D>& contact) const;

@@ -162,18 +162,27 @@ std::optional<Jam> RigidContacts<D>::find_jam(Half half, double ratio) {
 template <int D>
 bool RigidContacts<D>::solve(Half half, double duration) {
   const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
-  if (!result.has_converged && find_jam(half, suspected_ratio))
-    solver_.sweep_only(problem_, sweeps_of_suspect);
-  take_impulses(half, result);
+  jam_.reset();
+  if (!result.has_converged && find_jam(half, suspected_ratio)) {
+    jam_ =
+        solver_.ask_after_sweeps(problem_, sweeps_of_suspect, [&] { return find_jam(half, jammed_ratio); });
+    next_iterations_ += sweeps_of_suspect;
+  }
+  take_impulses(result);
   push();
   return result.has_converged;
 }
 
-/// The work of a jam's impulses would be without bound: the run ends where the next motion cannot be made.
 template <int D>
-void RigidContacts<D>::take_impulses(Half half, const ImpulseResult& result) {
+void RigidContacts<D>::take_impulses_beside_points(Half half, const ImpulseResult& result) {
   jam_.reset();
   if (!result.has_converged) jam_ = find_jam(half, jammed_ratio);
+  take_impulses(result);
+}
+
+/// The work of a jam's impulses would be without bound: the run ends where the next motion cannot be made.
+template <int D>
+void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
   if (jam_) {
     for (ImpulseRow<D>& row : problem_.rows) row.impulse = 0;
   }
@@ -245,8 +254,9 @@ void RigidContacts<D>::find(double duration) {
 template <int D>
 void RigidContacts<D>::build() {
   rows_.build(planned_, problem_);
-  solver_.reserve(problem_.contacts.size(), problem_.rows.size(), blocks_.slot_count());
   set_motions(Half::first);
+  problem_.rows.reserve(most_rows(problem_));
+  solver_.reserve(problem_);
 }
 
 template <int D>
@@ -435,8 +445,8 @@ double RigidContacts<D>::largest_overlap() const {
   return overlap;
 }
 
-/// At the centre of the normal impulses; the couple is that of friction, which acts in the middle of the
-/// points that touch.
+/// At the centre of the normal impulses; the couple is that of friction, which acts at the centroid of
+/// the points that touch.
 template <int D>
 ContactForce<D> RigidContacts<D>::load_of(const RigidContact<D>& contact) const {
   const Manifold<D>& manifold = contact.manifold;

@@ -87,7 +87,7 @@ class RigidContacts {
   void set_motions(Half half);
   ImpulseProblem<D>& problem() { return problem_; }
   /// Copies the impulses of the problem to the contacts.
-  void take_impulses(Half half, const ImpulseResult& result);
+  void take_impulses_beside_points(Half half, const ImpulseResult& result);
 
   void apply_position_impulses(EnergyLedger& ledger);
   /// Blocks that points hold do not recover from penetration: they would be moved into the others.
@@ -117,6 +117,7 @@ class RigidContacts {
   BlockMotion<D> motion(std::size_t slot) const;
   BlockMotion<D> motion_in(Half half, std::size_t slot) const;
   std::optional<Jam> find_jam(Half half, double ratio);
+  void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
   double book(std::size_t contact, EnergyLedger& ledger);

@@ -92,7 +92,7 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
     if (share_.is_copy(i)) continue;  // its owner counts its energy
     if (blocks_.moves_freely(i)) {
       const double load = blocks_.mass[i] * settings_.gravity.norm() + blocks_.applied_force[i].norm();
-      load_times_size += load * blocks_.radius[i];
+      load_times_size += load * blocks_.radius[i] + blocks_.applied_torque[i].norm();
       const double reach = blocks_.position[i].norm() + blocks_.radius[i];
       const double speed = std::numeric_limits<double>::epsilon() * reach / time_step;
       rounding_energy += blocks_.mass[i] * speed * speed;
