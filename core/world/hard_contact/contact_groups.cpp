@@ -1,7 +1,6 @@
 #include "world/hard_contact/contact_groups.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "simd/four_lanes.h"
 #include "world/hard_contact/manifold.h"
@@ -9,8 +8,8 @@
 namespace halfspace {
 namespace {
 
-/// Contacts of blocks that have more are in groups of their own, swept last.
-constexpr int colours = 64;
+/// Contacts among which a lane looks for its next one.
+constexpr int contacts_ahead = 4;
 
 template <class Four>
 [[gnu::always_inline]] inline Four lanes(const OfFour& numbers) {
@@ -95,83 +94,79 @@ struct ContactGroups<D>::Motions {
   }
 };
 
-/// Contacts of a colour are in order of their normals, so groups of four have a quarter of all rows, and one
-/// more group for each colour. A contact has no colour only if its blocks have more contacts than there are.
+/// The next contact of a lane whose moving blocks are not those of the other lanes, if possible with as many
+/// normals as theirs, or -1. A lane looks a few contacts ahead.
 template <int D>
-void ContactGroups<D>::reserve(const ImpulseProblem<D>& problem) {
-  const std::size_t blocks = problem.motions.size(), contacts = problem.contacts.size();
-  Array<std::uint64_t>& contacts_of = used_colours_;
-  contacts_of.assign(blocks, 0);
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    contacts_of[std::size_t(contact.a)] += contact.inverse_mass_a > 0;
-    contacts_of[std::size_t(contact.b)] += contact.inverse_mass_b > 0;
+std::int32_t ContactGroups<D>::next_of(const Lane& lane, const ImpulseProblem<D>& problem,
+                                       const Group& group) const {
+  std::int32_t first = -1;
+  int left = contacts_ahead;
+  for (std::int32_t c = lane.next; c < lane.end && left > 0; ++c) {
+    if (is_placed_[std::size_t(c)]) continue;
+    --left;
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
+    if (shares_block(contact, problem, group)) continue;
+    if (group.normal_count == 0 || contact.normal_count == group.normal_count) return c;
+    if (first < 0) first = c;
   }
-  std::size_t most_colours = 1, normals = 0, alone = 0, rows_alone = 0;
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    const std::size_t of_both = contacts_of[std::size_t(contact.a)] + contacts_of[std::size_t(contact.b)];
-    most_colours = std::max(most_colours, std::min(of_both, std::size_t(colours)));
-    normals += std::size_t(contact.normal_count);
-    if (of_both <= std::size_t(colours)) continue;
-    ++alone;
-    rows_alone += std::size_t(contact.normal_count) + max_friction_rows<D>;
-  }
-  const std::size_t coloured = contacts / 4 + most_colours;
-  groups_.reserve(coloured + alone);
-  rows_.reserve(normals / 4 + most_colours * max_manifold_points<D> + coloured * max_friction_rows<D> +
-                rows_alone);
-  motions_.reserve(stride * (blocks + 1));
-  colour_of_.reserve(contacts);
-  order_.reserve(contacts);
-  sizes_.reserve((colours + 1) * (max_manifold_points<D> + 1) + 1);
+  return first;
 }
 
-/// Colours the contacts one after the other by the first colour that none of their blocks has, and orders
-/// them by colour and number of normals: so lanes of a group have work alike. Blocks that do not move have
-/// none.
 template <int D>
-void ContactGroups<D>::colour(const ImpulseProblem<D>& problem) {
-  constexpr std::size_t kinds = max_manifold_points<D> + 1;
-  used_colours_.assign(problem.motions.size(), 0);
-  colour_of_.clear();
-  sizes_.assign((colours + 1) * kinds + 1, 0);
-  const auto kind_of = [&](std::size_t c) {
-    return std::size_t(colour_of_[c]) * kinds + std::size_t(problem.contacts[c].normal_count);
+bool ContactGroups<D>::shares_block(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
+                                    const Group& group) {
+  const auto is_in = [&](std::int32_t block) {
+    return std::any_of(group.contact, group.contact + 4, [&](std::int32_t c) {
+      if (c < 0) return false;
+      const ImpulseContact<D>& other = problem.contacts[std::size_t(c)];
+      return other.a == block || other.b == block;
+    });
   };
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    const std::uint64_t none = 0;
-    std::uint64_t own = 0;
-    std::uint64_t& of_a = used_colours_[std::size_t(contact.a)];
-    std::uint64_t& of_b = used_colours_[std::size_t(contact.b)];
-    const bool moves_a = contact.inverse_mass_a > 0, moves_b = contact.inverse_mass_b > 0;
-    const std::uint64_t taken = (moves_a ? of_a : none) | (moves_b ? of_b : none);
-    const int first = std::countr_one(taken);
-    if (first < colours) own = std::uint64_t(1) << first;
-    if (moves_a) of_a |= own;
-    if (moves_b) of_b |= own;
-    colour_of_.push_back(std::uint8_t(first));
-    ++sizes_[kind_of(colour_of_.size() - 1) + 1];
-  }
-  for (std::size_t k = 1; k < sizes_.size(); ++k) sizes_[k] += sizes_[k - 1];
-  order_.resize(problem.contacts.size());
-  for (std::size_t c = 0; c < order_.size(); ++c) order_[std::size_t(sizes_[kind_of(c)]++)] = std::int32_t(c);
+  return (contact.inverse_mass_a > 0 && is_in(contact.a)) || (contact.inverse_mass_b > 0 && is_in(contact.b));
 }
 
 template <int D>
-void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, std::span<const std::int32_t> contacts,
-                            Group& group) {
-  const std::int32_t nobody = std::int32_t(problem.motions.size());
+void ContactGroups<D>::arrange(const ImpulseProblem<D>& problem) {
+  const std::size_t count = problem.contacts.size();
+  is_placed_.assign(count, 0);
+  groups_.clear();
+  Lane lanes[4];
+  for (std::size_t k = 0; k < 4; ++k)
+    lanes[k] = {std::int32_t(k * count / 4), std::int32_t((k + 1) * count / 4)};
+  std::size_t rows = 0;
+  for (std::size_t placed = 0; placed < count;) {
+    Group group{};
+    std::fill_n(group.contact, 4, -1);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::int32_t c = next_of(lanes[k], problem, group);
+      if (c < 0) continue;
+      group.contact[k] = c;
+      group.normal_count = std::max(group.normal_count, problem.contacts[std::size_t(c)].normal_count);
+      is_placed_[std::size_t(c)] = 1;
+      ++placed;
+      while (lanes[k].next < lanes[k].end && is_placed_[std::size_t(lanes[k].next)]) ++lanes[k].next;
+    }
+    rows += std::size_t(group.normal_count) + max_friction_rows<D>;
+    groups_.push_back(group);
+  }
+  rows_.reserve(rows);
+  motions_.reserve(stride * (problem.motions.size() + 1));
+}
+
+template <int D>
+void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
   group.first_row = std::int32_t(rows_.size());
-  group.normal_count = group.friction_count = 0;
-  for (const std::int32_t c : contacts) {
-    group.normal_count = std::max(group.normal_count, problem.contacts[std::size_t(c)].normal_count);
-    group.friction_count = std::max(group.friction_count, problem.contacts[std::size_t(c)].friction_count);
+  group.friction_count = 0;
+  for (const std::int32_t c : group.contact) {
+    if (c >= 0)
+      group.friction_count = std::max(group.friction_count, problem.contacts[std::size_t(c)].friction_count);
   }
   rows_.resize(rows_.size() + std::size_t(group.normal_count + group.friction_count), Row{});
+  const std::int32_t nobody = std::int32_t(problem.motions.size());
   for (std::size_t lane = 0; lane < 4; ++lane) {
-    group.contact[lane] = lane < contacts.size() ? contacts[lane] : -1;
     group.a[lane] = group.b[lane] = nobody;
-    if (lane >= contacts.size()) continue;
-    const ImpulseContact<D>& contact = problem.contacts[std::size_t(contacts[lane])];
+    if (group.contact[lane] < 0) continue;
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(group.contact[lane])];
     group.a[lane] = contact.a;
     group.b[lane] = contact.b;
     group.inverse_mass_a[lane] = contact.inverse_mass_a;
@@ -201,18 +196,8 @@ template <int D>
 void ContactGroups<D>::take(const ImpulseProblem<D>& problem) {
   motions_.assign(stride * (problem.motions.size() + 1), 0);
   set_motions(problem);
-  colour(problem);
-  groups_.clear();
   rows_.clear();
-  for (std::size_t first = 0; first < order_.size();) {
-    const std::uint8_t colour = colour_of_[std::size_t(order_[first])];
-    std::size_t end = first + 1;
-    const std::size_t most = colour < colours ? 4 : 1;
-    while (end < order_.size() && end < first + most && colour_of_[std::size_t(order_[end])] == colour) ++end;
-    groups_.push_back(Group{});
-    fill(problem, {order_.data() + first, end - first}, groups_.back());
-    first = end;
-  }
+  for (Group& group : groups_) fill(problem, group);
 }
 
 template <int D>

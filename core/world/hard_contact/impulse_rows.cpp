@@ -46,7 +46,22 @@ Patch<3> patch_of_corners(std::span<const Vector<3>> corner, const Vector<3>& no
   return {origin + center, radius, 0.5 * std::abs(area)};
 }
 
+/// A point of a manifold, where its plane is.
+template <int D>
+Vector<D> on_plane(const RigidContact<D>& at, std::size_t i, const Vector<D>& arm) {
+  return arm + (at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1) * at.gap[i] * at.normal;
+}
+
 }  // namespace
+
+template <int D>
+Vector<D> center_of_impulses(const RigidContact<D>& at, const Arms<D>& arm) {
+  const double sum = at.normal_impulse();
+  Vector<D> center = Vector<D>::Zero();
+  for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i)
+    center += (sum > 0 ? at.impulse[i] / sum : 1.0 / at.manifold.count) * on_plane(at, i, arm[i]);
+  return center;
+}
 
 /// Inertias are those of the present rotations.
 template <int D>
@@ -59,20 +74,20 @@ void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   }
 }
 
-/// The centroid of the points that touch, on the plane of the manifold, and the mean distance of their region
-/// from it: that of even pressure. Friction acts there. Of round faces the points leave out slivers.
+/// The region of the points that touch, on the plane of the manifold. Where they bear, its centre is that of
+/// their impulses, so that a block that slides over many faces does not twist, however they share its weight.
+/// The couple is that of even pressure on the region. Of round faces the points leave out slivers.
 template <int D>
-Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at,
-                                  const std::array<Vector<D>, max_manifold_points<D>>& arm) const {
+Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm) const {
   const double touching = at.min_gap() + search_.settled_gap(at);
-  const double towards_plane = at.manifold.plane == ManifoldPlane::face_of_b ? 1 : -1;
   std::array<Vector<D>, max_manifold_points<D>> corner;
   corner.fill(Vector<D>::Zero());
   std::size_t count = 0;
   for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
-    if (at.gap[i] <= touching) corner[count++] = arm[i] + towards_plane * at.gap[i] * at.normal;
+    if (at.gap[i] <= touching) corner[count++] = on_plane(at, i, arm[i]);
   }
   Patch<D> patch = patch_of_corners({corner.data(), count}, at.normal);
+  if (at.normal_impulse() > 0) patch.center = center_of_impulses(at, arm);
   if constexpr (D == 3) {
     const bool touches_as_a_whole = count == std::size_t(at.manifold.count) && patch.area > 0;
     if (touches_as_a_whole) patch.radius *= std::sqrt(std::max(1.0, at.manifold.area / patch.area));
@@ -118,9 +133,8 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
     contact.inverse_mass_b = problem.inverse_masses[mover_b].of_mass;
     contact.tan_friction = model_.law_between(a, b).tan_friction;
     contact.friction_count = 0;
-    std::array<Vector<D>, max_manifold_points<D>> arm;
+    const Arms<D> arm = arms_of(at.manifold, pose_a, pose_b);
     for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
-      arm[i] = arm_of(at.manifold, i, pose_a, pose_b);
       add_row(contact, at.normal, moment(Vector<D>(arm[i] + arm_of_a), at.normal),
               moment(Vector<D>(arm[i] - to_b + arm_of_b), at.normal), at.impulse[i]);
     }
@@ -133,7 +147,8 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
       if constexpr (D == 3) {
         if (patch.radius > 0) {
           const Vector<3> turn = patch.radius * at.normal;
-          add_row(contact, Vector<D>::Zero(), turn, turn, at.couple / patch.radius);
+          const double couple = at.couple_about(patch.center - middle_of(at, arm));
+          add_row(contact, Vector<D>::Zero(), turn, turn, couple / patch.radius);
           ++contact.friction_count;
         }
       }
@@ -142,6 +157,8 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
   }
 }
 
+template Vector<2> center_of_impulses(const RigidContact<2>&, const Arms<2>&);
+template Vector<3> center_of_impulses(const RigidContact<3>&, const Arms<3>&);
 template class ImpulseRows<2>;
 template class ImpulseRows<3>;
 

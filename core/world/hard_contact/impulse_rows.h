@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// Where friction acts.
+/// The part of a face that touches.
 template <int D>
 struct Patch {
   Vector<D> center;  // from the centroid of a
@@ -15,8 +15,20 @@ struct Patch {
   double area;       // m²
 };
 
+/// The middle of a manifold's points, about which the couple of friction is kept.
+template <int D>
+Vector<D> middle_of(const RigidContact<D>& at, const Arms<D>& arm) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (int i = 0; i < at.manifold.count; ++i) sum += arm[std::size_t(i)];
+  return sum / at.manifold.count;
+}
+
+/// The centre of the normal impulses, on the plane of the manifold.
+template <int D>
+Vector<D> center_of_impulses(const RigidContact<D>& at, const Arms<D>& arm);
+
 /// Makes the rows of an impulse problem from manifolds, with the blocks where they are now: one row per
-/// point, and friction at the centroid of the points that touch. Rows act on the compound of a part.
+/// point, and friction at the centre of their impulses. Rows act on the compound of a part.
 template <int D>
 class ImpulseRows {
  public:
@@ -28,11 +40,8 @@ class ImpulseRows {
   void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
              std::span<const std::size_t> immovable = {});
 
-  /// `arm`: of each point, from the centroid of a.
-  Patch<D> patch_of(const RigidContact<D>& at,
-                    const std::array<Vector<D>, max_manifold_points<D>>& arm) const;
-
  private:
+  Patch<D> patch_of(const RigidContact<D>& at, const Arms<D>& arm) const;
   void set_inverse_masses(ImpulseProblem<D>& problem);
 
   const Model<D>& model_;

@@ -19,7 +19,7 @@ template <int D>
 void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
   const std::size_t rows = most_rows(problem), blocks = problem.motions.size();
   active_set_.reserve(rows, blocks);
-  groups_.reserve(problem);
+  groups_.arrange(problem);
   start_.reserve(rows);
   start_motions_.reserve(blocks);
 }

@@ -60,7 +60,7 @@ class ImpulseSolver {
   explicit ImpulseSolver(Memory* memory)
       : active_set_(memory), groups_(memory), start_(memory), start_motions_(memory) {}
 
-  /// Takes the memory of this problem, and of those of some of its contacts with other friction rows.
+  /// Takes the memory of problems of these contacts, with these rows or other friction rows.
   void reserve(const ImpulseProblem<D>& problem);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);

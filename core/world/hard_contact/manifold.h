@@ -97,6 +97,17 @@ Vector<D> arm_of(const Manifold<D>& manifold, std::size_t point, const PosedBloc
   return b.rotation * manifold.point[point] + (b.position - a.position);
 }
 
+/// The points of a manifold, from the centroid of a.
+template <int D>
+using Arms = std::array<Vector<D>, max_manifold_points<D>>;
+
+template <int D>
+Arms<D> arms_of(const Manifold<D>& manifold, const PosedBlock<D>& a, const PosedBlock<D>& b) {
+  Arms<D> arms;
+  for (std::size_t i = 0; i < std::size_t(manifold.count); ++i) arms[i] = arm_of(manifold, i, a, b);
+  return arms;
+}
+
 /// The gap at a point; `normal` is that of the manifold.
 template <int D>
 double gap_of(const Manifold<D>& manifold, std::size_t point, const Vector<D>& normal, const PosedBlock<D>& a,

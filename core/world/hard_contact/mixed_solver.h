@@ -19,9 +19,9 @@ class MixedSolver {
   MixedSolver(const Blocks<D>& blocks, Memory* memory)
       : blocks_(blocks), groups_(memory), start_(memory), shared_(memory), before_(memory) {}
 
-  /// Takes the memory of this problem, and of those of some of its contacts with other friction rows.
+  /// Takes the memory of problems of these contacts, with these rows or other friction rows.
   void reserve(const ImpulseProblem<D>& problem) {
-    groups_.reserve(problem);
+    groups_.arrange(problem);
     start_.reserve(most_rows(problem));
   }
   /// Solves from no changes, and motions of the problem without any impulses. The impulses of both are the

@@ -18,9 +18,9 @@ struct RigidContact {
   Vector<D> normal = Vector<D>::Zero();                  // unit, from a to b
   std::array<double, max_manifold_points<D>> gap{};      // m, > 0 apart
   std::array<double, max_manifold_points<D>> impulse{};  // N s, normal, of half a step
-  double couple = 0;                                     // N m s, of friction about the normal, in space
-  double touched_at = 0;                                 // time
-  double impact_loss = 0;                                // J, in the last motion
+  double couple = 0;       // N m s, of friction about the normal through the middle of the points, in space
+  double touched_at = 0;   // time
+  double impact_loss = 0;  // J, in the last motion
   std::int32_t a = -1;
   std::int32_t b = -1;  // a < b
 
@@ -30,6 +30,13 @@ struct RigidContact {
     double sum = 0;
     for (int i = 0; i < manifold.count; ++i) sum += impulse[std::size_t(i)];
     return sum;
+  }
+  /// The couple of friction about the normal through a point, given from the middle of the points.
+  double couple_about(const Vector<D>& point) const {
+    if constexpr (D == 2)
+      return 0;
+    else
+      return couple - normal.dot(cross_product(point, friction));
   }
 };
 
@@ -44,6 +51,7 @@ struct PlannedContact : RigidContact<D> {
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
   bool is_new = true;
   bool is_impact = false;
+  bool is_apart = false;  // at the motion's end
 };
 
 template <int D>

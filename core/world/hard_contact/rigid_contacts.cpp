@@ -195,12 +195,23 @@ void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
     for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = row.impulse;
     contact.friction.setZero();
     contact.couple = 0;
-    for (const ImpulseRow<D>& row : problem_.frictions_of(of)) {
+    for (const ImpulseRow<D>& row : problem_.frictions_of(of))
       contact.friction += row.impulse * row.direction;
-      if constexpr (D == 3) {
-        if (row.direction.isZero(0)) contact.couple = row.impulse * contact.normal.dot(row.turn_b);
-      }
-    }
+    contact.couple = twist_about_middle(of, contact);
+  }
+}
+
+/// The moment of friction about the normal through the middle of the points, by the rows' moments about a.
+template <int D>
+double RigidContacts<D>::twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact) {
+  if constexpr (D == 2) {
+    return 0;
+  } else {
+    const std::span<const ImpulseRow<D>> normals = problem_.normals_of(of);
+    Angular<D> turn = Angular<D>::Zero(), of_middle = Angular<D>::Zero();
+    for (const ImpulseRow<D>& row : problem_.frictions_of(of)) turn += row.impulse * row.turn_a;
+    for (const ImpulseRow<D>& row : normals) of_middle += row.turn_a / double(normals.size());
+    return contact.normal.dot(turn) + contact.friction.dot(of_middle);
   }
 }
 
@@ -365,15 +376,13 @@ template <int D>
 void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) {
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
   impact_loss_ -= recover(held_by_points);
-  for (const PlannedContact<D>& contact : planned_) {
+  for (PlannedContact<D>& contact : planned_) {
+    contact.is_apart = !(contact.normal_impulse() > 0) && contact.min_gap() > search_.reach(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);
       if (depth > reported_depth) deepest_ = std::max(deepest_, depth);
     }
   }
-  std::erase_if(planned_, [&](const PlannedContact<D>& contact) {
-    return !(contact.normal_impulse() > 0) && contact.min_gap() > search_.reach(contact);
-  });
 }
 
 /// Points that neither bear nor are on their face have no target.
@@ -397,9 +406,10 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   const double duration = integrator_.duration();
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     planned_[c].impact_loss += book(c, ledger);
-    touches_ += planned_[c].is_new;
+    touches_ += planned_[c].is_new && !planned_[c].is_apart;
   }
   book_motion(ledger);
+  std::erase_if(planned_, [](const PlannedContact<D>& contact) { return contact.is_apart; });
   replace_known(duration);
   pause_ = solver_.pause();
   iterations_ += std::exchange(next_iterations_, 0);
@@ -445,24 +455,20 @@ double RigidContacts<D>::largest_overlap() const {
   return overlap;
 }
 
-/// At the centre of the normal impulses; the couple is that of friction, which acts at the centroid of
-/// the points that touch.
+/// At the centre of the normal impulses.
 template <int D>
 ContactForce<D> RigidContacts<D>::load_of(const RigidContact<D>& contact) const {
-  const Manifold<D>& manifold = contact.manifold;
   const PosedBlock<D> a = search_.now(std::size_t(contact.a)), b = search_.now(std::size_t(contact.b));
-  const double impulse = contact.normal_impulse();
-  std::array<Vector<D>, max_manifold_points<D>> arm;
+  const Arms<D> arm = arms_of(contact.manifold, a, b);
   ContactForce<D> load;
-  for (std::size_t i = 0; i < std::size_t(manifold.count); ++i) {
-    arm[i] = arm_of(manifold, i, a, b);
-    load.point += (impulse > 0 ? contact.impulse[i] / impulse : 1.0 / manifold.count) * arm[i];
-  }
+  load.point = center_of_impulses(contact, arm);
   if (!(duration_ > 0)) return load;
   const double rate = 2 / duration_;
-  load.force = rate * (impulse * contact.normal + contact.friction);
-  load.couple = rate * moment(Vector<D>(rows_.patch_of(contact, arm).center - load.point), contact.friction);
-  if constexpr (D == 3) load.couple += rate * contact.couple * contact.normal;
+  load.force = rate * (contact.normal_impulse() * contact.normal + contact.friction);
+  if constexpr (D == 3) {
+    const Vector<D> from_middle = load.point - middle_of(contact, arm);
+    load.couple = rate * contact.couple_about(from_middle) * contact.normal;
+  }
   return load;
 }
 

@@ -120,6 +120,7 @@ class RigidContacts {
   void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);
   void replace_known(double duration);
+  double twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact);
   double book(std::size_t contact, EnergyLedger& ledger);
   void book_motion(EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;

@@ -25,7 +25,7 @@ struct WorldSettings {
   FastBlocks fast_blocks = FastBlocks::divide;
   double sleep_tolerance = 0;       // maximum displacement error of a block by sleep, m; 0: no sleep
   double impulse_tolerance = 1e-6;  // unbalanced velocity over gravity times step, without springs
-  std::int32_t max_impulse_iterations = 100;  // likewise
+  std::int32_t max_impulse_iterations = 200;  // likewise
   std::int32_t locate_impacts = 0;            // divide steps at impacts without springs
 
   /// Validates the state read from a snapshot.
