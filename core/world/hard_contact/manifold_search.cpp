@@ -14,6 +14,9 @@ constexpr double settled_fraction = 1e-6;
 constexpr double resting_fraction = 1e-3;
 /// How far blocks may deviate from their motion at constant velocity before the search is repeated.
 constexpr double allowance_fraction = 1e-3;
+/// Blocks that have moved against each other by less than this have the manifold that they had (an idea of
+/// Box2D v3 and Box3D, Catto 2024).
+constexpr double kept_fraction = 1e-3;
 
 }  // namespace
 
@@ -103,7 +106,23 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
     contact.a = pair.a;
     contact.b = pair.b;
     while (before != known.end() && before->blocks() < contact.blocks()) ++before;
-    if (before != known.end() && before->blocks() == contact.blocks()) contact.manifold = before->manifold;
+    const Rotation<D> to_frame = ahead(a).rotation.inverse();
+    const Vector<D> to_b = to_frame * (place_ahead(b) - place_ahead(a));
+    const Rotation<D> turn = to_frame * ahead(b).rotation;
+    if (before != known.end() && before->blocks() == contact.blocks()) {
+      contact.manifold = before->manifold;
+      contact.found_to_b = before->found_to_b;
+      contact.found_turn = before->found_turn;
+      const double moved =
+          (to_b - before->found_to_b).norm() + blocks_.radius[b] * turn.farthest_from(before->found_turn);
+      contact.is_kept = moved < kept_fraction * smaller_radius(contact);
+      if (contact.is_kept) {
+        found.push_back(contact);
+        continue;
+      }
+    }
+    contact.found_to_b = to_b;
+    contact.found_turn = turn;
     if (find_manifold(ahead(a), ahead(b), margin, contact.manifold)) found.push_back(contact);
   }
 }
@@ -133,6 +152,9 @@ bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
     if (std::binary_search(found.begin(), found.begin() + std::ptrdiff_t(before), contact, is_before<D>))
       continue;
     if (!find_manifold(at_a, at_b, 0, contact.manifold)) continue;
+    const Rotation<D> to_frame = at_a.rotation.inverse();
+    contact.found_to_b = to_frame * (at_b.position - at_a.position);
+    contact.found_turn = to_frame * at_b.rotation;
     set_gaps(contact);
     contact.is_impact = true;
     found.push_back(contact);

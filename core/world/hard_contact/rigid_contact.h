@@ -18,6 +18,8 @@ struct RigidContact {
   Vector<D> normal = Vector<D>::Zero();                  // unit, from a to b
   std::array<double, max_manifold_points<D>> gap{};      // m, > 0 apart
   std::array<double, max_manifold_points<D>> impulse{};  // N s, normal, of half a step
+  Vector<D> found_to_b = Vector<D>::Zero();  // of b in the frame of a, where the manifold was found
+  Rotation<D> found_turn;                    // likewise
   double couple = 0;       // N m s, of friction about the normal through the middle of the points, in space
   double touched_at = 0;   // time
   double impact_loss = 0;  // J, in the last motion
@@ -40,7 +42,7 @@ struct RigidContact {
   }
 };
 
-static_assert(sizeof(RigidContact<2>) == 144 && sizeof(RigidContact<3>) == 424,
+static_assert(sizeof(RigidContact<2>) == 176 && sizeof(RigidContact<3>) == 520,
               "saved contacts hold stray bytes");
 
 /// A contact of the present motion.
@@ -50,6 +52,7 @@ struct PlannedContact : RigidContact<D> {
   std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
   bool is_new = true;
+  bool is_kept = false;  // the manifold is that of the last motion
   bool is_impact = false;
   bool is_apart = false;  // at the motion's end
 };

@@ -37,6 +37,15 @@ void RigidContacts<D>::warm_start(double duration) {
     contact.is_new = before == known_.end() || before->blocks() != contact.blocks();
     if (contact.is_new) continue;
     contact.touched_at = before->touched_at;
+    contact.friction = scale * before->friction;
+    contact.couple = scale * before->couple;
+    if (contact.is_kept) {
+      for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
+        contact.impulse[i] = scale * before->impulse[i];
+        contact.was_loaded[i] = before->impulse[i] > 0;
+      }
+      continue;
+    }
     const PosedBlock<D> a = search_.now(std::size_t(contact.a)), b = search_.now(std::size_t(contact.b));
     const double near = same_place_fraction * search_.smaller_radius(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
@@ -50,8 +59,6 @@ void RigidContacts<D>::warm_start(double duration) {
         contact.was_loaded[i] = before->impulse[k] > 0;
       }
     }
-    contact.friction = scale * before->friction;
-    contact.couple = scale * before->couple;
   }
 }
 
@@ -486,8 +493,8 @@ bool RigidContacts<D>::is_consistent() const {
            names_features(at.manifold, blocks_.own_outline(at.a), blocks_.own_outline(at.b)) &&
            halfspace::all(at.manifold.point, [](const Vector<D>& point) { return point.allFinite(); }) &&
            halfspace::all(at.impulse, is_nonnegative) && at.friction.allFinite() && is_finite(at.couple) &&
-           halfspace::all(at.gap, is_finite) && at.normal.allFinite() && is_finite(at.touched_at) &&
-           is_finite(at.impact_loss);
+           at.found_to_b.allFinite() && halfspace::all(at.gap, is_finite) && at.normal.allFinite() &&
+           is_finite(at.touched_at) && is_finite(at.impact_loss);
   };
   return touches_ >= 0 && iterations_ >= 0 && is_nonnegative(unbalanced_velocity_) &&
          pause_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
