@@ -10,6 +10,7 @@ void World<D>::edit() {
   drop_plan();
   if (!edited_) ledger_.note_edit();
   edited_ = true;
+  hard_contacts_.forget_rest();
   sleep_.wake_all(clock_.time());
 }
 

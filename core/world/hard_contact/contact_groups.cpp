@@ -245,9 +245,9 @@ void ContactGroups<D>::set_motion(std::size_t block, const BlockMotion<D>& motio
 }
 
 /// Normal impulses one after the other, then friction within the bound that they give. Returns the largest
-/// change, as a velocity.
+/// change, as a velocity. If it does not change anything, each row is projected with the present velocities.
 template <int D>
-template <class Four>
+template <class Four, bool changes>
 [[gnu::always_inline]] inline double ContactGroups<D>::visit(Group& group) {
   Motions<Four> a, b;
   a.load(motions_.data(), group.a);
@@ -256,9 +256,11 @@ template <class Four>
   Four largest = none, load = none;
   const auto change = [&](Row & row, const Four& impulse) __attribute__((always_inline)) {
     const Four by = impulse - lanes<Four>(row.impulse);
-    store_four(row.impulse.data(), impulse);
-    a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, none - by);
-    b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, by);
+    if (changes) {
+      store_four(row.impulse.data(), impulse);
+      a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, none - by);
+      b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, by);
+    }
     largest = max(largest, abs(by) * lanes<Four>(row.inverse_mass));
   };
   const auto stopping = [&](const Row& row, const Four& mass) __attribute__((always_inline)) {
@@ -295,9 +297,20 @@ template <class Four>
     for (std::int32_t k = 0; k < group.friction_count; ++k)
       change(friction[k], select_less(bound, size, beyond[k] * scale, within[k]));
   }
-  a.store(motions_.data(), group.a);
-  b.store(motions_.data(), group.b);
+  if (changes) {
+    a.store(motions_.data(), group.a);
+    b.store(motions_.data(), group.b);
+  }
   return reduce_max(largest);
+}
+
+template <int D>
+double ContactGroups<D>::unbalanced() {
+  return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
+    double largest = 0;
+    for (Group& group : groups_) largest = std::max(largest, visit<Four, false>(group));
+    return largest;
+  });
 }
 
 template <int D>
@@ -306,7 +319,7 @@ double ContactGroups<D>::sweep(bool is_backwards) {
     double largest = 0;
     const std::size_t count = groups_.size();
     for (std::size_t i = 0; i < count; ++i)
-      largest = std::max(largest, visit<Four>(groups_[is_backwards ? count - 1 - i : i]));
+      largest = std::max(largest, visit<Four, true>(groups_[is_backwards ? count - 1 - i : i]));
     return largest;
   });
 }

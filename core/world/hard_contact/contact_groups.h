@@ -35,6 +35,8 @@ class ContactGroups {
   double begin();
   /// Returns the largest change, as a velocity.
   double sweep(bool is_backwards);
+  /// The largest velocity that one projection of a contact alone would change.
+  double unbalanced();
 
   // Acceleration by conjugate directions.
   void restart_acceleration();
@@ -85,7 +87,7 @@ class ContactGroups {
   static bool shares_block(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
                            const Group& group);
   void fill(const ImpulseProblem<D>& problem, Group& group);
-  template <class Four>
+  template <class Four, bool changes>
   [[gnu::always_inline]] double visit(Group& group);
   /// Calls `visit(contact, lane, first normal row, first friction row)`.
   template <class Visit>

@@ -19,11 +19,13 @@ void HardContacts<D>::begin(double duration) {
   points_.begin();
   rigid_.begin();
   changes().begin(duration);
+  rests_ = !has_points_ && rigid_.rests(duration);
+  if (rests_) rigid_.hold_blocks();
 }
 
 template <int D>
 bool HardContacts<D>::predict(double time, double duration) {
-  if (!is_used()) return true;
+  if (!is_used() || rests_) return true;
   if (has_points_) points_.find(time, duration);
   rigid_.find(duration);
   together_.forget_shared();
@@ -120,12 +122,14 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
 
 template <int D>
 void HardContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
+  if (rests_) return;
   rigid_.apply_position_impulses(ledger);
   points_.apply_position_impulses(ledger);
 }
 
 template <int D>
 void HardContacts<D>::find_at_end() {
+  if (rests_) return;
   has_impact_ = !points_.empty() && rigid_.has_impact();
   rigid_.find_at_end(together_.shared());
   points_.find_at_end();
@@ -135,6 +139,11 @@ template <int D>
 void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) {
   if (!is_used()) return;
   const double duration = integrator_.duration();
+  if (rests_) {
+    changes().begin(duration);
+    rigid_.hold_blocks();
+    return integrator_.take_kicks(sample);
+  }
   rigid_.set_velocity_targets();
   if (points_.begin_impact(has_impact_)) {
     solve(Half::second, duration);

@@ -44,6 +44,8 @@ class HardContacts {
   BlockLoad load_on(std::size_t slot) const;
   /// Contacts or poses have changed.
   void forget_loads() { are_loads_summed_ = false; }
+  /// The world has been edited.
+  void forget_rest() { rigid_.forget_rest(); }
 
   /// The contact with the largest force of the coming motion, or of the last one where none is planned.
   PressedPair most_pressed() const {
@@ -122,6 +124,7 @@ class HardContacts {
   bool has_points_ = false;
   bool has_converged_ = true;  // in the last solve
   bool has_impact_ = false;    // of manifolds, in this motion
+  bool rests_ = false;         // this motion repeats the last one
   SolverPause pause_;          // of active sets beside points, after the last motion
   SolverPause next_pause_;
   mutable Array<BlockLoad> loads_;  // per slot up to the last one with a contact

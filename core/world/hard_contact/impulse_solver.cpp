@@ -29,6 +29,11 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
   groups_.take(problem);
   double fastest = groups_.begin();
   conjugate_ = {};
+  const double unbalanced_at_start = groups_.unbalanced();
+  if (fastest > 0 && unbalanced_at_start <= settings.tolerance_for(fastest)) {
+    groups_.give(problem);
+    return {0, unbalanced_at_start, true, fastest};
+  }
   const auto solve_active_set = [&](double tolerance, bool is_cold) {
     groups_.give(problem);
     const double unbalanced = active_set_.solve(problem, tolerance, is_cold);

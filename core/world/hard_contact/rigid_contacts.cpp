@@ -176,7 +176,9 @@ bool RigidContacts<D>::solve(Half half, double duration) {
     next_iterations_ += sweeps_of_suspect;
   }
   take_impulses(result);
-  push();
+  const bool is_held = result.iterations == 0 &&
+                       rest_.hold(half, problem_.motions, settings_of(half, duration).tolerance_for(0));
+  if (!is_held) push();
   return result.has_converged;
 }
 
@@ -340,6 +342,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
     return contact.min_gap() < -search_.settled_gap(contact);
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
+  rest_.forget_halves();
   rows_.build(planned_, problem_, held_by_points);
   std::fill_n(problem_.motions.begin(), blocks_.moving_end(), BlockMotion<D>());  // displacements
   for (std::size_t c = 0; c < planned_.size(); ++c) {
@@ -417,12 +420,24 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   }
   book_motion(ledger);
   std::erase_if(planned_, [](const PlannedContact<D>& contact) { return contact.is_apart; });
+  rest_.end(duration, are_contacts_kept());
   replace_known(duration);
   pause_ = solver_.pause();
   iterations_ += std::exchange(next_iterations_, 0);
   unbalanced_velocity_ = next_unbalanced_velocity_;
   planned_.clear();
   duration_ = duration;
+}
+
+/// None is new, and none has ended.
+template <int D>
+bool RigidContacts<D>::are_contacts_kept() const {
+  const auto is_old = [](const PlannedContact<D>& contact) { return !contact.is_new; };
+  const auto is_awake = [&](const RigidContact<D>& contact) {
+    return !integrator_.sleep().leaves_out(contact);
+  };
+  return std::all_of(planned_.begin(), planned_.end(), is_old) &&
+         std::count_if(known_.begin(), known_.end(), is_awake) == std::ptrdiff_t(planned_.size());
 }
 
 /// Contacts of the last motion replace the known ones. Those of sleeping blocks stay, with their forces.
@@ -497,8 +512,8 @@ bool RigidContacts<D>::is_consistent() const {
            is_finite(at.touched_at) && is_finite(at.impact_loss);
   };
   return touches_ >= 0 && iterations_ >= 0 && is_nonnegative(unbalanced_velocity_) &&
-         pause_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
-         std::is_sorted(known_.begin(), known_.end(), is_before<D>);
+         pause_.is_consistent() && rest_.is_consistent() && is_nonnegative(duration_) &&
+         halfspace::all(known_, is_valid) && std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 
 template class RigidContacts<2>;

@@ -3,6 +3,7 @@
 #include "world/hard_contact/impulse_rows.h"
 #include "world/hard_contact/impulse_solver.h"
 #include "world/hard_contact/jam.h"
+#include "world/hard_contact/rest.h"
 #include "world/ledger.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
@@ -12,9 +13,6 @@ namespace halfspace {
 // Non-smooth contact dynamics of rigid blocks (Moreau 1988, Jean 1999) within velocity Verlet: the impulses
 // of the first half step keep every gap open at the motion's end, those of the second stop approach there, or
 // reverse it by the coefficient of restitution. Both are one impulse problem each, on the same manifolds.
-
-/// The two halves of a motion, each with its impulse problem.
-enum class Half { first, second };
 
 /// The contacts of rigid blocks by laws without springs, and their impulses.
 template <int D>
@@ -28,6 +26,7 @@ class RigidContacts {
         rows_(model, search_),
         solver_(memory),
         problem_(memory),
+        rest_(model, integrator),
         known_(memory),
         next_known_(memory),
         planned_(memory) {}
@@ -58,7 +57,18 @@ class RigidContacts {
   const std::optional<Jam>& jam() const { return jam_; }
 
   // The stages of a motion, as in HardContacts.
-  void begin() { jam_.reset(); }
+  void begin() {
+    jam_.reset();
+    rest_.begin();
+  }
+  /// Does the coming motion repeat the last one, in which all blocks stood? Then no other stage is needed.
+  bool rests(double duration) const { return rest_.lasts(duration); }
+  void hold_blocks() {
+    fraction_before_impact_ = 1;
+    rest_.repeat();
+  }
+  /// The world has been edited.
+  void forget_rest() { rest_.forget(); }
   /// Finds the contacts of a motion predicted without impulses, with those of the last motion as a start.
   void find(double duration);
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
@@ -97,6 +107,7 @@ class RigidContacts {
   void end_motion(EnergyLedger& ledger);
 
   void forget(std::int32_t slot) {
+    rest_.forget();
     std::erase_if(known_,
                   [&](const RigidContact<D>& contact) { return contact.a == slot || contact.b == slot; });
   }
@@ -107,7 +118,7 @@ class RigidContacts {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, duration_, touches_, iterations_, unbalanced_velocity_, pause_);
+    archive(known_, duration_, touches_, iterations_, unbalanced_velocity_, pause_, rest_);
   }
 
  private:
@@ -119,6 +130,7 @@ class RigidContacts {
   std::optional<Jam> find_jam(Half half, double ratio);
   void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);
+  bool are_contacts_kept() const;
   void replace_known(double duration);
   double twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact);
   double book(std::size_t contact, EnergyLedger& ledger);
@@ -132,6 +144,7 @@ class RigidContacts {
   ImpulseRows<D> rows_;
   ImpulseSolver<D> solver_;
   ImpulseProblem<D> problem_;
+  Rest<D> rest_;
   SolverPause pause_;  // after the last motion
   std::optional<Jam> jam_;
   Array<RigidContact<D>> known_;

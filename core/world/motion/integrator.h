@@ -100,6 +100,22 @@ class Integrator {
   VelocityChange<D>& kicks() { return kicks_; }
   const VelocityChange<D>& kicks() const { return kicks_; }
   void forget_reaction() { reaction_.end(); }
+  /// Changes the velocity of a rigid block to none at the middle or the end of the predicted motion.
+  void hold(std::size_t block, bool at_middle) {
+    const double half = at_middle ? 0.5 * duration_ : 0;
+    kicks_.set(block, -(blocks_.velocity[block] + half * acceleration_[block]),
+               -(blocks_.momentum[block] + half * momentum_rate_[block]));
+  }
+  /// Does a block stand, and would the reaction at the end of the last motion hold it under its present
+  /// rates?
+  bool is_held(std::size_t block) const {
+    const double half = 0.5 * duration_;
+    return blocks_.velocity[block].isZero(0) && blocks_.momentum[block].isZero(0) &&
+           reaction_.of_block(block) == -half * acceleration_[block] &&
+           reaction_.momentum(block) == -half * momentum_rate_[block];
+  }
+  /// Changes the velocity of a block as the reaction did at the end of the last motion.
+  void hold_again(std::size_t block) { kicks_.take_over(block, reaction_); }
   /// A force and a torque on a block.
   struct BlockLoad {
     Vector<D> force;

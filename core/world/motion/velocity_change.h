@@ -66,6 +66,10 @@ class VelocityChange {
   /// Mean force per impulse over its half of the motion, 1/s.
   double rate() const { return rate_; }
 
+  void set(std::size_t slot, const Vector<D>& velocity, const Angular<D>& momentum) {
+    of_block_[slot] = velocity;
+    momentum_[slot] = momentum;
+  }
   /// Gives a block the same mean force as another change did.
   void take_over(std::size_t slot, const VelocityChange& other) {
     const double scale = other.rate() / rate_;
