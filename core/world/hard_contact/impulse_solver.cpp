@@ -25,15 +25,19 @@ void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
 }
 
 template <int D>
+bool ImpulseSolver<D>::is_solved(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
+  groups_.take(problem);
+  const double fastest = groups_.begin();
+  if (!(fastest > 0 && groups_.unbalanced() <= settings.tolerance_for(fastest))) return false;
+  groups_.give(problem);
+  return true;
+}
+
+template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
   groups_.take(problem);
   double fastest = groups_.begin();
   conjugate_ = {};
-  const double unbalanced_at_start = groups_.unbalanced();
-  if (fastest > 0 && unbalanced_at_start <= settings.tolerance_for(fastest)) {
-    groups_.give(problem);
-    return {0, unbalanced_at_start, true, fastest};
-  }
   const auto solve_active_set = [&](double tolerance, bool is_cold) {
     groups_.give(problem);
     const double unbalanced = active_set_.solve(problem, tolerance, is_cold);

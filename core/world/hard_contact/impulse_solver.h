@@ -62,6 +62,8 @@ class ImpulseSolver {
 
   /// Takes the memory of problems of these contacts, with these rows or other friction rows.
   void reserve(const ImpulseProblem<D>& problem);
+  /// Do the impulses of the problem solve it within the tolerance? Then they are added to its motions.
+  bool is_solved(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
 

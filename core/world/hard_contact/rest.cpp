@@ -1,9 +1,11 @@
 #include "world/hard_contact/rest.h"
 
+#include <algorithm>
+
 namespace halfspace {
 
-/// Calls `visit(slot)` for all awake blocks that move by themselves, until it returns false. False, too, for
-/// a world in which a block deforms.
+/// Calls `visit(slot)` for all awake blocks that move by themselves, until it returns false. False, too,
+/// where a block deforms.
 template <int D>
 template <class Visit>
 bool Rest<D>::for_all_movers(Visit visit) const {
@@ -14,15 +16,23 @@ bool Rest<D>::for_all_movers(Visit visit) const {
   return true;
 }
 
-/// The last impulses held blocks against their accelerations.
+/// A prescribed block may not move at all: others would be held back.
+template <int D>
+bool Rest<D>::is_slow(std::size_t i, const BlockMotion<D>& motion, double speed) const {
+  if (blocks_.kind[i] != BlockKind::rigid) return motion.velocity.isZero(0) && motion.spin.isZero(0);
+  const double radius = blocks_.radius[i];
+  return motion.velocity.squaredNorm() + radius * radius * motion.spin.squaredNorm() <= speed * speed;
+}
+
+/// The last impulses held blocks against the rates that they had then.
 template <int D>
 bool Rest<D>::lasts(double duration) const {
   if (!lasts_ || duration != duration_) return false;
   return for_all_movers([&](std::size_t i) {
-    if (blocks_.kind[i] != BlockKind::prescribed) return integrator_.is_held(i);
+    if (blocks_.kind[i] == BlockKind::rigid) return integrator_.is_held(i);
     const auto [acceleration, spin_rate] = integrator_.rates_of(i);
-    return acceleration.isZero(0) && spin_rate.isZero(0) && blocks_.velocity[i].isZero(0) &&
-           blocks_.spin[i].isZero(0);
+    return acceleration.isZero(0) && spin_rate.isZero(0) &&
+           is_slow(i, {blocks_.velocity[i], blocks_.spin[i]}, 0);
   });
 }
 
@@ -34,24 +44,70 @@ void Rest<D>::repeat() {
   });
 }
 
-/// Blocks that are held by nothing fall: they are faster.
 template <int D>
-bool Rest<D>::hold(Half half, std::span<const BlockMotion<D>> motions, double speed) {
-  const bool all_stand =
-      speed > 0 && for_all_movers([&](std::size_t i) {
-        const BlockMotion<D>& motion = motions[i];
-        if (blocks_.kind[i] == BlockKind::prescribed)
-          return motion.velocity.isZero(0) && motion.spin.isZero(0);
-        const double radius = blocks_.radius[i];
-        return motion.velocity.squaredNorm() + radius * radius * motion.spin.squaredNorm() <= speed * speed;
-      });
-  if (!all_stand) return false;
+bool Rest<D>::may_hold_all(Half half, double speed) const {
+  if (half == Half::second) return repeated_halves_ == 1;
+  return speed > 0 && for_all_movers([&](std::size_t i) {
+           return is_slow(i, {blocks_.velocity[i], blocks_.spin[i]}, speed);
+         });
+}
+
+/// A block without contacts falls, and is faster.
+template <int D>
+bool Rest<D>::hold_all(Half half, const ImpulseProblem<D>& problem, double speed) {
+  if (!for_all_movers([&](std::size_t i) { return is_slow(i, problem.motions[i], speed); })) return false;
   for_all_movers([&](std::size_t i) {
     if (blocks_.kind[i] == BlockKind::rigid) integrator_.hold(i, half == Half::first);
     return true;
   });
-  ++held_halves_;
+  ++repeated_halves_;
   return true;
+}
+
+template <int D>
+std::int32_t Rest<D>::island_of(std::int32_t block) {
+  while (island_[std::size_t(block)] != block) {
+    std::int32_t& above = island_[std::size_t(block)];
+    above = island_[std::size_t(above)];
+    block = above;
+  }
+  return block;
+}
+
+/// Blocks that impulses do not move belong to no island.
+template <int D>
+void Rest<D>::find_islands(const ImpulseProblem<D>& problem) {
+  island_.assign(problem.motions.size(), -1);
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    for (const std::int32_t block : {contact.a, contact.b})
+      if (island_[std::size_t(block)] < 0) island_[std::size_t(block)] = block;
+    if (!(contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0)) continue;
+    const std::int32_t a = island_of(contact.a), b = island_of(contact.b);
+    island_[std::size_t(std::max(a, b))] = std::min(a, b);
+  }
+}
+
+template <int D>
+void Rest<D>::hold_islands(Half half, const ImpulseProblem<D>& problem, double speed) {
+  const auto is_slow_in_problem = [&](std::int32_t i) {
+    return std::size_t(i) >= blocks_.moving_end() ||
+           is_slow(std::size_t(i), problem.motions[std::size_t(i)], speed);
+  };
+  const auto all_slow = [&](const ImpulseContact<D>& contact) {
+    return is_slow_in_problem(contact.a) && is_slow_in_problem(contact.b);
+  };
+  if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), all_slow)) return;
+  find_islands(problem);
+  moves_.assign(island_.size(), 0);
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    if (all_slow(contact)) continue;
+    if (contact.inverse_mass_a > 0) moves_[std::size_t(island_of(contact.a))] = true;
+    if (contact.inverse_mass_b > 0) moves_[std::size_t(island_of(contact.b))] = true;
+  }
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
+    if (island_[i] < 0 || !(problem.inverse_masses[i].of_mass > 0)) continue;
+    if (!moves_[std::size_t(island_of(std::int32_t(i)))]) integrator_.hold(i, half == Half::first);
+  }
 }
 
 template class Rest<2>;

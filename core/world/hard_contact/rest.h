@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "world/hard_contact/impulse_problem.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
 
@@ -10,34 +11,44 @@ namespace halfspace {
 /// The two halves of a motion, each with its impulse problem.
 enum class Half { first, second };
 
-/// A world in which every block stands. Impulses within the tolerance leave blocks velocities within it:
-/// where all are, blocks are held, so that they do not move at all. The next motion then begins as the last
-/// one did, and while no load changes it would end as that one: it is not computed again.
+/// Blocks that stand. Impulses within the tolerance leave blocks velocities within it: an island of contacts
+/// in which all are as slow is held, so that it does not move at all. Where that is the whole world, the next
+/// motion begins as the last one did, and while no load changes it would end as that one: it is not computed
+/// again.
 template <int D>
 class Rest {
  public:
-  Rest(const Model<D>& model, Integrator<D>& integrator)
-      : model_(model), blocks_(model.blocks), integrator_(integrator) {}
+  Rest(const Model<D>& model, Integrator<D>& integrator, Memory* memory)
+      : model_(model), blocks_(model.blocks), integrator_(integrator), island_(memory), moves_(memory) {}
 
   /// Is the coming motion of this duration the last one again?
   bool lasts(double duration) const;
-  /// Holds all blocks, whose motions without impulses are those of the last motion.
+  /// Holds all blocks as in the last motion.
   void repeat();
 
-  // A motion that is computed.
-  void begin() { held_halves_ = 0; }
-  /// Holds all blocks if their points are slower than this in the given motions, which contain the impulses.
-  bool hold(Half half, std::span<const BlockMotion<D>> motions, double speed);
+  // The stages of a motion that is computed.
+  void begin() { repeated_halves_ = 0; }
+  /// Has no block been faster than this so far?
+  bool may_hold_all(Half half, double speed) const;
+  /// Holds all blocks if none is faster than this in the problem, whose motions contain the impulses. False
+  /// otherwise.
+  bool hold_all(Half half, const ImpulseProblem<D>& problem, double speed);
+  /// Holds the islands of which no block is faster.
+  void hold_islands(Half half, const ImpulseProblem<D>& problem, double speed);
   /// A block has been moved after all.
-  void forget_halves() { held_halves_ = 0; }
+  void forget_halves() { repeated_halves_ = 0; }
   /// `are_contacts_kept`: the contacts are those of the motion before.
   void end(double duration, bool are_contacts_kept) {
-    lasts_ = held_halves_ == 2 && are_contacts_kept;
+    lasts_ = repeated_halves_ == 2 && are_contacts_kept;
     duration_ = duration;
   }
   /// Something has changed.
   void forget() { lasts_ = false; }
 
+  void reserve(std::size_t blocks) {
+    island_.reserve(blocks);
+    moves_.reserve(blocks);
+  }
   bool is_consistent() const { return is_nonnegative(duration_) && (lasts_ == 0 || lasts_ == 1); }
   template <class Archive>
   void visit(Archive& archive) {
@@ -47,13 +58,18 @@ class Rest {
  private:
   template <class Visit>
   bool for_all_movers(Visit visit) const;
+  bool is_slow(std::size_t block, const BlockMotion<D>& motion, double speed) const;
+  std::int32_t island_of(std::int32_t block);
+  void find_islands(const ImpulseProblem<D>& problem);
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   Integrator<D>& integrator_;
-  int held_halves_ = 0;     // of the motion that is computed
-  std::int32_t lasts_ = 0;  // blocks were held throughout the last motion
-  double duration_ = 0;     // of the last motion
+  Array<std::int32_t> island_;  // of each block: another one of its island, or itself; -1 without contacts
+  Array<std::uint8_t> moves_;   // the island whose head is this block
+  int repeated_halves_ = 0;     // in which all blocks were held by impulses that have not changed
+  std::int32_t lasts_ = 0;      // in the whole last motion
+  double duration_ = 0;         // of the last motion
 };
 
 extern template class Rest<2>;

@@ -26,7 +26,7 @@ class RigidContacts {
         rows_(model, search_),
         solver_(memory),
         problem_(memory),
-        rest_(model, integrator),
+        rest_(model, integrator, memory),
         known_(memory),
         next_known_(memory),
         planned_(memory) {}
@@ -128,6 +128,8 @@ class RigidContacts {
   BlockMotion<D> motion(std::size_t slot) const;
   BlockMotion<D> motion_in(Half half, std::size_t slot) const;
   std::optional<Jam> find_jam(Half half, double ratio);
+  double standing_speed(double duration) const;
+  bool stands(Half half, double duration);
   void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);
   bool are_contacts_kept() const;
