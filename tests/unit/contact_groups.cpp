@@ -93,7 +93,7 @@ struct RandomProblem {
     row.response_b = b.of_inertia * row.turn_b;
     row.inverse_mass = direction.squaredNorm() * (a.of_mass + b.of_mass) + row.turn_a.dot(row.response_a) +
                        row.turn_b.dot(row.response_b);
-    row.target = 0;
+    row.target = row.slip = 0;
     row.impulse = 0;
     problem.rows.push_back(row);
   }

@@ -169,7 +169,8 @@ bool ActiveSet<D>::factorize(const ImpulseProblem<D>& problem) {
   return factors_.info() == Eigen::Success;
 }
 
-/// Open rows have no impulse, and friction that slides is at its bound, against the sliding.
+/// Open rows have no impulse, and friction that slides is at its bound, against the sliding, unless that is
+/// reversed.
 template <int D>
 void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
   for (const ImpulseContact<D>& contact : problem.contacts) {
@@ -182,10 +183,10 @@ void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
     const double bound = std::max(0.0, problem.friction_bound(contact));
     if (states_[row] == State::sticks) continue;
     std::array<double, max_friction_rows<D>> opposing{};
-    problem.project_friction(contact, bound, opposing);
+    const bool is_reversed = problem.project_friction(contact, bound, opposing) == HUGE_VAL;
     double square = 0;
     for (const double part : opposing) square += part * part;
-    const double scale = square > 0 ? bound / std::sqrt(square) : 0;
+    const double scale = is_reversed ? 1 : square > 0 ? bound / std::sqrt(square) : 0;
     for (std::size_t k = 0; k < friction.size(); ++k)
       problem.set_impulse(contact, friction[k], scale * opposing[k]);
   }

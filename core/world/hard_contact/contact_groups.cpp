@@ -181,6 +181,7 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
       to.inverse_mass[lane] = from.inverse_mass;
       to.mass[lane] = from.inverse_mass > 0 ? 1 / from.inverse_mass : 0;
       to.target[lane] = from.target;
+      to.slip[lane] = from.slip;
       to.impulse[lane] = from.impulse;
     };
     const std::span<const ImpulseRow<D>> rows = problem.rows_of(contact);
@@ -244,6 +245,37 @@ void ContactGroups<D>::set_motion(std::size_t block, const BlockMotion<D>& motio
   for (std::size_t i = 0; i < angular; ++i) at[(D == 2 ? 2 : 4) + i] = motion.spin[Eigen::Index(i)];
 }
 
+/// As ImpulseProblem::reverse_slip(). Returns 1 in the lanes in which slip is reversed, else 0.
+template <int D>
+template <class Four>
+[[gnu::always_inline]] inline Four ContactGroups<D>::reverse_slip(const Group& group, const Row* friction,
+                                                                  const Four& bound, Four* impulse) {
+  const Four none = all_four<Four>(0), one = all_four<Four>(1), least = all_four<Four>(1e-300);
+  Four square = none, inverse_mass = none, velocity = none, along = none, replaced = none, size = none;
+  for (std::int32_t k = 0; k < group.friction_count; ++k)
+    square = square + lanes<Four>(friction[k].slip) * lanes<Four>(friction[k].slip);
+  const Four slip = sqrt(square), inverse_slip = one / max(slip, least);
+  for (std::int32_t k = 0; k < group.friction_count; ++k) {
+    const Four part = lanes<Four>(friction[k].slip) * inverse_slip, of_row = lanes<Four>(friction[k].impulse);
+    inverse_mass = inverse_mass + part * part * lanes<Four>(friction[k].inverse_mass);
+    velocity = velocity + part * lanes<Four>(friction[k].inverse_mass) * (of_row - impulse[k]);
+    along = along + part * of_row;
+    replaced = replaced + part * impulse[k];
+  }
+  const Four of_translation = lanes<Four>(group.inverse_mass_a) + lanes<Four>(group.inverse_mass_b);
+  const Four mean = reversed_friction<Four>(slip, velocity - of_translation * along - slip,
+                                            bound * of_translation, none, one);
+  const Four next = along + (mean * bound - along) * of_translation / max(inverse_mass, least);
+  for (std::int32_t k = 0; k < group.friction_count; ++k) {
+    const Four part = lanes<Four>(friction[k].slip) * inverse_slip;
+    impulse[k] = impulse[k] + select_less(mean, one, (next - replaced) * part, none);
+    size = size + impulse[k] * impulse[k];
+  }
+  const Four scale = select_less(mean, one, min(one, bound / max(sqrt(size), least)), one);
+  for (std::int32_t k = 0; k < group.friction_count; ++k) impulse[k] = impulse[k] * scale;
+  return select_less(mean, one, one, none);
+}
+
 /// Normal impulses one after the other, then friction within the bound that they give. Returns the largest
 /// change, as a velocity. If it does not change anything, each row is projected with the present velocities.
 template <int D>
@@ -275,9 +307,12 @@ template <class Four, bool changes>
   Row* const friction = rows + group.normal_count;
   const Four bound = lanes<Four>(group.tan_friction) * load;
   if constexpr (D == 2) {
-    if (group.friction_count > 0)
-      change(friction[0],
-             max(none - bound, min(bound, stopping(friction[0], lanes<Four>(friction[0].mass)))));
+    if (group.friction_count > 0) {
+      Four impulse = stopping(friction[0], lanes<Four>(friction[0].mass));
+      const Four within = max(none - bound, min(bound, impulse));
+      const Four reversed = reverse_slip<Four>(group, friction, bound, &impulse);
+      change(friction[0], select_less(none, reversed, impulse, within));
+    }
   } else {
     // Where friction would exceed its bound, all its rows have the same mass, so that it opposes the slip.
     constexpr double no_row = 1e300;
@@ -292,10 +327,12 @@ template <class Four, bool changes>
       beyond[k] = stopping(friction[k], common);
       square_beyond = square_beyond + beyond[k] * beyond[k];
     }
+    const Four reversed = reverse_slip<Four>(group, friction, bound, within);
     const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(1e-300));
     const Four scale = min(all_four<Four>(1), bound / size_beyond);
     for (std::int32_t k = 0; k < group.friction_count; ++k)
-      change(friction[k], select_less(bound, size, beyond[k] * scale, within[k]));
+      change(friction[k],
+             select_less(none, reversed, within[k], select_less(bound, size, beyond[k] * scale, within[k])));
   }
   if (changes) {
     a.store(motions_.data(), group.a);

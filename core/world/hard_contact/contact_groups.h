@@ -58,6 +58,7 @@ class ContactGroups {
     OfFour inverse_mass;
     OfFour mass;  // 0 in a lane that has no such row
     OfFour target;
+    OfFour slip;
     OfFour impulse;
     OfFour before;  // impulses at the last acceleration
     OfFour search;  // direction of the acceleration
@@ -87,6 +88,9 @@ class ContactGroups {
   static bool shares_block(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
                            const Group& group);
   void fill(const ImpulseProblem<D>& problem, Group& group);
+  template <class Four>
+  [[gnu::always_inline]] static Four reverse_slip(const Group& group, const Row* friction, const Four& bound,
+                                                  Four* impulse);
   template <class Four, bool changes>
   [[gnu::always_inline]] double visit(Group& group);
   /// Calls `visit(contact, lane, first normal row, first friction row)`.

@@ -8,6 +8,7 @@
 
 #include "block/inertia.h"
 #include "geometry/vector.h"
+#include "world/hard_contact/slip_reversal.h"
 #include "world/motion/block_motion.h"
 
 namespace halfspace {
@@ -34,6 +35,7 @@ struct ImpulseRow {
   Angular<D> response_b;
   double inverse_mass;  // effective: velocity along the row over the impulse
   double target;        // velocity along the row when the contact bears; at least this for normals
+  double slip;          // of friction: velocity along the row at the beginning of the half step, or 0
   double impulse;
 };
 
@@ -62,7 +64,7 @@ struct ImpulseContact {
 template <int D>
 struct ImpulseProblem {
   explicit ImpulseProblem(Memory* memory)
-      : contacts(memory), rows(memory), motions(memory), inverse_masses(memory) {}
+      : contacts(memory), rows(memory), start(memory), motions(memory), inverse_masses(memory) {}
 
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
@@ -94,7 +96,7 @@ struct ImpulseProblem {
   }
   /// The friction of a contact after one projection: where it would exceed its bound, all its rows have the
   /// largest inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
-  /// before it is limited to the bound.
+  /// before it is limited to the bound; infinite where the slip is reversed.
   double project_friction(const ImpulseContact<D>& contact, double bound,
                           std::array<double, max_friction_rows<D>>& impulse) {
     const std::span<ImpulseRow<D>> rows = frictions_of(contact);
@@ -107,11 +109,39 @@ struct ImpulseProblem {
       return std::sqrt(square);
     };
     const double stopping = project([](const ImpulseRow<D>& row) { return row.inverse_mass; });
+    if (reverse_slip(contact, rows, bound, impulse)) return HUGE_VAL;
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
     double common = 0;
     for (const ImpulseRow<D>& row : rows) common = std::max(common, row.inverse_mass);
     limit(impulse, project([&](const ImpulseRow<D>&) { return common; }), bound);
     return stopping;
+  }
+  /// Replaces stopping impulses by those of a slip that is reversed, if it is. Friction then moves both
+  /// blocks along the slip without a turn, since their normal impulses follow.
+  static bool reverse_slip(const ImpulseContact<D>& contact, std::span<const ImpulseRow<D>> rows,
+                           double bound, std::array<double, max_friction_rows<D>>& impulse) {
+    double slip = 0, inverse_mass = 0, velocity = 0, along = 0, replaced = 0, size = 0;
+    for (const ImpulseRow<D>& row : rows) slip += row.slip * row.slip;
+    if (slip == 0) return false;
+    slip = std::sqrt(slip);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const double part = rows[k].slip / slip;
+      inverse_mass += part * part * rows[k].inverse_mass;
+      velocity += part * rows[k].inverse_mass * (rows[k].impulse - impulse[k]);
+      along += part * rows[k].impulse;
+      replaced += part * impulse[k];
+    }
+    const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
+    const double mean =
+        reversed_friction(slip, velocity - of_translation * along - slip, bound * of_translation, 0.0, 1.0);
+    if (mean == no_reversal) return false;
+    const double next = along + (mean * bound - along) * of_translation / inverse_mass;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      impulse[k] += (next - replaced) * (rows[k].slip / slip);
+      size += impulse[k] * impulse[k];
+    }
+    limit(impulse, std::sqrt(size), bound);
+    return true;
   }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row, std::size_t(contact.normal_count)};
@@ -139,7 +169,8 @@ struct ImpulseProblem {
 
   Array<ImpulseContact<D>> contacts;
   Array<ImpulseRow<D>> rows;
-  Array<BlockMotion<D>> motions;         // of each block, with the impulses
+  Array<BlockMotion<D>> start;           // of each block, at the beginning of the half step
+  Array<BlockMotion<D>> motions;         // with the impulses
   Array<InverseMass<D>> inverse_masses;  // of each block
 };
 

@@ -96,7 +96,7 @@ Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm)
 }
 
 template <int D>
-void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
                            std::span<const std::size_t> immovable) {
   set_inverse_masses(problem);
   for (const std::size_t block : immovable) problem.inverse_masses[block] = {};
@@ -114,11 +114,11 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
     row.response_b = b.of_inertia * turn_b;
     row.inverse_mass = (contact.inverse_mass_a + contact.inverse_mass_b) * direction.squaredNorm() +
                        turn_a.dot(row.response_a) + turn_b.dot(row.response_b);
-    row.target = 0;
+    row.target = row.slip = 0;
     row.impulse = impulse;
     problem.rows.push_back(row);
   };
-  for (const PlannedContact<D>& at : contacts) {
+  for (PlannedContact<D>& at : contacts) {
     const std::size_t a = std::size_t(at.a), b = std::size_t(at.b);
     const std::size_t mover_a = blocks_.mover_of(a), mover_b = blocks_.mover_of(b);
     const Vector<D> arm_of_a = blocks_.arm_of(a), arm_of_b = blocks_.arm_of(b);
@@ -141,8 +141,13 @@ void ImpulseRows<D>::build(std::span<const PlannedContact<D>> contacts, ImpulseP
     if (contact.tan_friction > 0) {
       const Patch<D> patch = patch_of(at, arm);
       const Vector<D> from_a = patch.center + arm_of_a, from_b = patch.center - to_b + arm_of_b;
-      for (const Vector<D>& tangent : tangents(at.normal))
+      at.center = patch.center;
+      const bool is_loaded = at.normal_impulse() > 0 && !at.is_impact;
+      for (const Vector<D>& tangent : tangents(at.normal)) {
         add_row(contact, tangent, moment(from_a, tangent), moment(from_b, tangent), tangent.dot(at.friction));
+        ImpulseRow<D>& row = problem.rows.back();
+        if (is_loaded) row.slip = row.velocity(problem.start[mover_a], problem.start[mover_b]);
+      }
       contact.friction_count = D - 1;
       if constexpr (D == 3) {
         if (patch.radius > 0) {

@@ -37,7 +37,7 @@ class ImpulseRows {
 
   /// Sets contacts, rows and masses. Impulses are those of the contacts; targets are 0.
   /// These blocks do not move.
-  void build(std::span<const PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+  void build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
              std::span<const std::size_t> immovable = {});
 
  private:

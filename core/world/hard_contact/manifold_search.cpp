@@ -177,6 +177,18 @@ Gaps<D> ManifoldSearch<D>::predicted_gaps(const PlannedContact<D>& contact) cons
   return gaps_of(contact.manifold, normal_of(contact.manifold, a, b), a, b);
 }
 
+template <int D>
+Vector<D> ManifoldSearch<D>::predicted_slip(const PlannedContact<D>& contact) const {
+  const auto displacement = [&](std::int32_t block, const Vector<D>& place) {
+    const PosedBlock<D> before = now(std::size_t(block)), after = predicted(std::size_t(block));
+    const Vector<D> arm = place - before.position;
+    return Vector<D>(after.position - before.position + after.rotation * (before.rotation.inverse() * arm) -
+                     arm);
+  };
+  const Vector<D> place = blocks_.position[std::size_t(contact.a)] + contact.center;
+  return displacement(contact.b, place) - displacement(contact.a, place);
+}
+
 template class ManifoldSearch<2>;
 template class ManifoldSearch<3>;
 

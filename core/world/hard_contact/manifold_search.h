@@ -48,6 +48,8 @@ class ManifoldSearch {
   /// Sets normal and gaps to those of now.
   void set_gaps(PlannedContact<D>& contact) const;
   Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
+  /// The displacement of b against a in the predicted motion, where friction acts.
+  Vector<D> predicted_slip(const PlannedContact<D>& contact) const;
   double smaller_radius(const RigidContact<D>& contact) const {
     return std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
   }

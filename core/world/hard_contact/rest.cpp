@@ -60,6 +60,7 @@ bool Rest<D>::hold_all(Half half, const ImpulseProblem<D>& problem, double speed
     if (blocks_.kind[i] == BlockKind::rigid) integrator_.hold(i, half == Half::first);
     return true;
   });
+  ++standing_halves_;
   ++repeated_halves_;
   return true;
 }
@@ -108,6 +109,11 @@ void Rest<D>::hold_islands(Half half, const ImpulseProblem<D>& problem, double s
     if (island_[i] < 0 || !(problem.inverse_masses[i].of_mass > 0)) continue;
     if (!moves_[std::size_t(island_of(std::int32_t(i)))]) integrator_.hold(i, half == Half::first);
   }
+  standing_halves_ += for_all_movers([&](std::size_t i) {
+    return blocks_.kind[i] == BlockKind::rigid
+               ? island_[i] >= 0 && !moves_[std::size_t(island_of(std::int32_t(i)))]
+               : is_slow(i, problem.motions[i], speed);
+  });
 }
 
 template class Rest<2>;

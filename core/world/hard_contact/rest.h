@@ -27,7 +27,7 @@ class Rest {
   void repeat();
 
   // The stages of a motion that is computed.
-  void begin() { repeated_halves_ = 0; }
+  void begin() { standing_halves_ = repeated_halves_ = 0; }
   /// Has no block been faster than this so far?
   bool may_hold_all(Half half, double speed) const;
   /// Holds all blocks if none is faster than this in the problem, whose motions contain the impulses. False
@@ -36,7 +36,9 @@ class Rest {
   /// Holds the islands of which no block is faster.
   void hold_islands(Half half, const ImpulseProblem<D>& problem, double speed);
   /// A block has been moved after all.
-  void forget_halves() { repeated_halves_ = 0; }
+  void forget_halves() { standing_halves_ = repeated_halves_ = 0; }
+  /// Have all blocks been held, so that nothing has moved?
+  bool holds_all() const { return standing_halves_ == 2; }
   /// `are_contacts_kept`: the contacts are those of the motion before.
   void end(double duration, bool are_contacts_kept) {
     lasts_ = repeated_halves_ == 2 && are_contacts_kept;
@@ -67,7 +69,8 @@ class Rest {
   Integrator<D>& integrator_;
   Array<std::int32_t> island_;  // of each block: another one of its island, or itself; -1 without contacts
   Array<std::uint8_t> moves_;   // the island whose head is this block
-  int repeated_halves_ = 0;     // in which all blocks were held by impulses that have not changed
+  int standing_halves_ = 0;     // in which all blocks were held
+  int repeated_halves_ = 0;     // in which they were held by impulses that have not changed
   std::int32_t lasts_ = 0;      // in the whole last motion
   double duration_ = 0;         // of the last motion
 };

@@ -51,6 +51,7 @@ struct PlannedContact : RigidContact<D> {
   std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening after an impact
   std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
+  Vector<D> center = Vector<D>::Zero();                      // of friction, from the centroid of a
   bool is_new = true;
   bool is_kept = false;  // the manifold is that of the last motion
   bool is_impact = false;

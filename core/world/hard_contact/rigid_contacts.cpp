@@ -128,6 +128,24 @@ void RigidContacts<D>::set_gap_targets(double duration) {
       rows[i].target = free - (predicted[i] - gap_floor(contact, i)) / duration;
     }
   }
+  set_slip_targets(duration);
+}
+
+/// Friction that sticks keeps two points together to the motion's end. The linear rows leave out that their
+/// arms turn: a block would creep outwards on a platform that turns. Where nothing turns this is not seen.
+template <int D>
+void RigidContacts<D>::set_slip_targets(double duration) {
+  constexpr double little_turn = 1e-7;
+  if (!(integrator_.max_rotation() > little_turn)) return;
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const ImpulseContact<D>& of = problem_.contacts[c];
+    if (of.friction_count == 0) continue;
+    const Vector<D> way = search_.predicted_slip(planned_[c]);
+    for (ImpulseRow<D>& row : problem_.frictions_of(of)) {
+      if (!row.direction.isZero(0))
+        row.target = problem_.velocity_along(of, row) - row.direction.dot(way) / duration;
+    }
+  }
 }
 
 /// Gaps also change as their normals turn, which the linear rows leave out. True when the change since the
@@ -149,6 +167,7 @@ bool RigidContacts<D>::correct_targets(double duration) {
       if (is_active && !(duration * std::abs(error) <= tolerance)) is_accurate = false;
     }
   }
+  set_slip_targets(duration);
   return is_accurate;
 }
 
@@ -258,8 +277,7 @@ void RigidContacts<D>::push() const {
 /// As it is now.
 template <int D>
 BlockMotion<D> RigidContacts<D>::motion(std::size_t i) const {
-  if (!blocks_.lives(i) || !blocks_.moves(i) || integrator_.is_asleep(i)) return {};
-  return {blocks_.velocity[i], blocks_.spin[i]};
+  return can_move(i) ? BlockMotion<D>{blocks_.velocity[i], blocks_.spin[i]} : BlockMotion<D>{};
 }
 
 /// Without impulses.
@@ -277,6 +295,14 @@ void RigidContacts<D>::set_motions(Half half) {
 }
 
 template <int D>
+void RigidContacts<D>::set_start(Half half) {
+  problem_.start.resize(blocks_.slot_count());
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
+    problem_.start[i] =
+        half == Half::first || !can_move(i) ? motion(i) : integrator_.motion_half_a_step_ago(i);
+}
+
+template <int D>
 void RigidContacts<D>::find(double duration) {
   next_unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
@@ -288,6 +314,7 @@ void RigidContacts<D>::find(double duration) {
 
 template <int D>
 void RigidContacts<D>::build() {
+  set_start(Half::first);
   rows_.build(planned_, problem_);
   set_motions(Half::first);
   problem_.rows.reserve(most_rows(problem_));
@@ -338,6 +365,7 @@ double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
 /// gain together beyond the tolerance of the solver is an error of the method: it is part of the residual.
 template <int D>
 void RigidContacts<D>::book_motion(EnergyLedger& ledger) {
+  if (rest_.holds_all()) return;  // what the works lack is within the tolerance
   const double whole_loss = impact_loss_ + friction_loss_, friction_loss = std::max(friction_loss_, 0.0);
   const bool makes_energy = whole_loss < -model_.settings.impulse_tolerance * whole_work_;
   ledger.add_friction_loss(friction_loss);
@@ -415,6 +443,7 @@ void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) 
 template <int D>
 void RigidContacts<D>::set_velocity_targets() {
   if (planned_.empty()) return;
+  set_start(Half::second);
   rows_.build(planned_, problem_);
   set_motions(Half::second);
   for (std::size_t c = 0; c < planned_.size(); ++c) {

@@ -125,9 +125,14 @@ class RigidContacts {
   VelocityChange<D>& changes() const { return integrator_.kicks(); }
   void warm_start(double duration);
   void add_other_changes();
+  bool can_move(std::size_t slot) const {
+    return blocks_.lives(slot) && blocks_.moves(slot) && !integrator_.is_asleep(slot);
+  }
   BlockMotion<D> motion(std::size_t slot) const;
   BlockMotion<D> motion_in(Half half, std::size_t slot) const;
   std::optional<Jam> find_jam(Half half, double ratio);
+  void set_start(Half half);
+  void set_slip_targets(double duration);
   double standing_speed(double duration) const;
   bool stands(Half half, double duration);
   void take_impulses(const ImpulseResult& result);

@@ -83,6 +83,15 @@ class Integrator {
             blocks_.inertia[block].spin(blocks_.momentum[block] + half * momentum_rate_[block],
                                         blocks_.rotation[block])};
   }
+  /// Its motion in the middle of the motion, when the second half of the kick has been made.
+  BlockMotion<D> motion_half_a_step_ago(std::size_t block) const {
+    const double half = 0.5 * duration_;
+    const Vector<D> velocity = blocks_.velocity[block] - half * acceleration_[block];
+    if (blocks_.kind[block] == BlockKind::prescribed)
+      return {velocity, blocks_.spin[block] - half * momentum_rate_[block]};
+    return {velocity, blocks_.inertia[block].spin(blocks_.momentum[block] - half * momentum_rate_[block],
+                                                  blocks_.rotation[block])};
+  }
   /// The mean velocity of a point in the predicted motion.
   Vector<D> predicted_velocity(const MaterialPoint<D>& point) const;
   /// The acceleration of a point by the last forces.
