@@ -156,7 +156,6 @@ bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
     contact.found_to_b = to_frame * (at_b.position - at_a.position);
     contact.found_turn = to_frame * at_b.rotation;
     set_gaps(contact);
-    contact.is_impact = true;
     found.push_back(contact);
   }
   if (found.size() == before) return false;

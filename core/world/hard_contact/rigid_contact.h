@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "world/hard_contact/island_work.h"
 #include "world/hard_contact/manifold.h"
+#include "world/hard_contact/rebound_fraction.h"
 
 namespace halfspace {
 
@@ -48,14 +50,21 @@ static_assert(sizeof(RigidContact<2>) == 176 && sizeof(RigidContact<3>) == 520,
 /// A contact of the present motion.
 template <int D>
 struct PlannedContact : RigidContact<D> {
-  std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening after an impact
+  std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening by restitution
+  std::array<double, max_manifold_points<D>> gained{};       // m/s, of opening from the impact to the end
   std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
   Vector<D> center = Vector<D>::Zero();                      // of friction, from the centroid of a
   bool is_new = true;
-  bool is_kept = false;  // the manifold is that of the last motion
-  bool is_impact = false;
+  bool is_kept = false;   // the manifold is that of the last motion
   bool is_apart = false;  // at the motion's end
+  bool is_early = false;  // the impact is in the first half of the motion
+  ImpulseWork work;       // in the half steps that are booked
+  ReboundFraction fraction;
+
+  bool rebounds() const {
+    return std::any_of(rebound.begin(), rebound.end(), [](double v) { return v > 0; });
+  }
 };
 
 template <int D>

@@ -96,12 +96,13 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
       const double rest = duration - at;
       if (at > shortest_fraction * duration)
         fraction_before_impact_ = std::min(fraction_before_impact_, at / duration);
-      contact.is_impact = true;
       first = std::min(first, at);
-      if (restitution == 0) continue;
-      contact.rebound[i] = std::max(0.0, restitution * speed + acceleration * rest);
+      if (restitution == 0 || !(restitution * speed + acceleration * rest > 0)) continue;
+      contact.rebound[i] = restitution * speed;
+      contact.gained[i] = acceleration * rest;
       contact.rebound_gap[i] = std::max(0.0, rest * (restitution * speed + 0.5 * acceleration * rest));
     }
+    contact.is_early = first < 0.5 * duration;
     if (contact.is_new) contact.touched_at = time + std::min(first, duration);
   }
   if (has_others) set_motions(Half::first);
@@ -125,7 +126,8 @@ void RigidContacts<D>::set_gap_targets(double duration) {
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double free = problem_.velocity_along(problem_.contacts[c], rows[i]);
-      rows[i].target = free - (predicted[i] - gap_floor(contact, i)) / duration;
+      const double end = contact.rebound_gap[i] > 0 ? contact.gap[i] + duration * free : predicted[i];
+      rows[i].target = free - (end - gap_floor(contact, i)) / duration;
     }
   }
   set_slip_targets(duration);
@@ -159,7 +161,9 @@ bool RigidContacts<D>::correct_targets(double duration) {
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     const double tolerance = gap_tolerance * search_.reach(contact);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double excess = predicted[i] - gap_floor(contact, i);
+      const double penetrated = predicted[i] - std::min(contact.gap[i], 0.0);
+      if (contact.rebound_gap[i] > 0 && penetrated >= 0) continue;
+      const double excess = contact.rebound_gap[i] > 0 ? penetrated : predicted[i] - gap_floor(contact, i);
       const double error =
           excess / duration - (problem_.velocity_along(problem_.contacts[c], rows[i]) - rows[i].target);
       rows[i].target -= error;
@@ -235,12 +239,14 @@ void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
   for (PlannedContact<D>& contact : planned_) {
     const ImpulseContact<D>& of = problem_.contacts[c++];
     std::size_t i = 0;
-    for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = row.impulse;
+    const double part = solves_whole() ? 0.5 : 1;
+    for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = part * row.impulse;
     contact.friction.setZero();
     contact.couple = 0;
     for (const ImpulseRow<D>& row : problem_.frictions_of(of))
       contact.friction += row.impulse * row.direction;
-    contact.couple = twist_about_middle(of, contact);
+    contact.couple = part * twist_about_middle(of, contact);
+    contact.friction *= part;
   }
 }
 
@@ -260,15 +266,15 @@ double RigidContacts<D>::twist_about_middle(const ImpulseContact<D>& of, const R
 
 template <int D>
 void RigidContacts<D>::push() const {
-  if (planned_.empty()) return;
-  for (const ImpulseContact<D>& of : problem_.contacts) {
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    const ImpulseContact<D>& of = problem_.contacts[c];
     Vector<D> impulse = Vector<D>::Zero();
     Angular<D> turn_a = Angular<D>::Zero(), turn_b = Angular<D>::Zero();
-    for (const ImpulseRow<D>& row : problem_.rows_of(of)) {
-      impulse += row.impulse * row.direction;
-      turn_a += row.impulse * row.turn_a;
-      turn_b += row.impulse * row.turn_b;
-    }
+    for_each_impulse(c, [&](const ImpulseRow<D>& row, double size, bool) {
+      impulse += size * row.direction;
+      turn_a += size * row.turn_a;
+      turn_b += size * row.turn_b;
+    });
     if (search_.is_free(std::size_t(of.a))) changes().push(std::size_t(of.a), -impulse, -turn_a);
     if (search_.is_free(std::size_t(of.b))) changes().push(std::size_t(of.b), impulse, turn_b);
   }
@@ -292,6 +298,7 @@ template <int D>
 void RigidContacts<D>::set_motions(Half half) {
   problem_.motions.resize(blocks_.slot_count());
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] = motion_in(half, i);
+  if (half == Half::second && solves_whole()) take_back_first_impulses();
 }
 
 template <int D>
@@ -314,6 +321,7 @@ void RigidContacts<D>::find(double duration) {
 
 template <int D>
 void RigidContacts<D>::build() {
+  first_.contacts.clear();
   set_start(Half::first);
   rows_.build(planned_, problem_);
   set_motions(Half::first);
@@ -331,33 +339,17 @@ bool RigidContacts<D>::find_more(double time, double duration) {
   return true;
 }
 
-/// The work of a contact's impulses, by the velocities before and after them: of the normal ones a loss by
-/// impact, of friction a loss by friction, on prescribed blocks work from outside. Returns the loss by
-/// impact.
+/// The work of a contact's impulses: of the normal ones a loss by impact, of friction a loss by friction, on
+/// prescribed blocks work from outside. Returns the loss by impact.
 template <int D>
 double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
-  const ImpulseContact<D>& contact = problem_.contacts[c];
-  const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
-  const BlockMotion<D> motion_a = motion(a), motion_b = motion(b);
-  const BlockMotion<D> change_a = changes().of_motion(a), change_b = changes().of_motion(b);
-  const auto prescribed = [&](std::size_t i, const BlockMotion<D>& motion) {
-    return blocks_.kind[i] == BlockKind::prescribed ? motion : BlockMotion<D>{};
-  };
-  const BlockMotion<D> given_a = prescribed(a, motion_a), given_b = prescribed(b, motion_b);
-  const auto work_of = [&](std::span<const ImpulseRow<D>> rows) {
-    double work = 0;
-    for (const ImpulseRow<D>& row : rows) {
-      work += row.impulse * (row.velocity(motion_a, motion_b) + 0.5 * row.velocity(change_a, change_b));
-      ledger.add_outer_work(-row.impulse * row.velocity(given_a, given_b));
-    }
-    return work;
-  };
-  const double normal_work = work_of(problem_.normals_of(contact)),
-               friction_work = work_of(problem_.frictions_of(contact));
-  impact_loss_ -= normal_work;
-  friction_loss_ -= friction_work;
-  whole_work_ += std::abs(normal_work) + std::abs(friction_work);
-  return -normal_work;
+  const ImpulseWork work = work_of(c);
+  ledger.add_outer_work(work.outer);
+  impact_loss_ -= work.normal;
+  friction_loss_ -= work.friction;
+  whole_work_ += std::abs(work.normal) + std::abs(work.friction);
+  planned_[c].work.add(work);
+  return -work.normal;
 }
 
 /// Contacts at rest gain in the first half of a motion what they lose in the second, so only the losses of a
@@ -376,6 +368,7 @@ template <int D>
 void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
   impact_loss_ = friction_loss_ = whole_work_ = 0;
   for (std::size_t c = 0; c < planned_.size(); ++c) planned_[c].impact_loss = book(c, ledger);
+  keep_first_impulses();
 }
 
 /// Moves blocks apart that overlap, without a change of their velocities. Returns the change of their
@@ -431,7 +424,8 @@ void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) 
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
   impact_loss_ -= recover(held_by_points);
   for (PlannedContact<D>& contact : planned_) {
-    contact.is_apart = !(contact.normal_impulse() > 0) && contact.min_gap() > search_.reach(contact);
+    contact.is_apart =
+        !(contact.normal_impulse() > 0) && !contact.rebounds() && contact.min_gap() > search_.reach(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);
       if (depth > reported_depth) deepest_ = std::max(deepest_, depth);
@@ -439,19 +433,28 @@ void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) 
   }
 }
 
-/// Points that neither bear nor are on their face have no target.
 template <int D>
 void RigidContacts<D>::set_velocity_targets() {
   if (planned_.empty()) return;
   set_start(Half::second);
   rows_.build(planned_, problem_);
+  if (solves_whole()) take_first_rows();
   set_motions(Half::second);
+  if (solves_whole()) set_rebounds();
+  set_targets();
+}
+
+/// Points that neither bear nor are on their face have no target.
+template <int D>
+void RigidContacts<D>::set_targets() {
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const bool touches = rows[i].impulse > 0 || contact.gap[i] <= search_.reach(contact);
-      rows[i].target = touches ? contact.rebound[i] : -HUGE_VAL;
+      const double opening =
+          contact.rebound[i] > 0 ? contact.fraction.value() * contact.rebound[i] + contact.gained[i] : 0;
+      rows[i].target = touches || contact.rebound[i] > 0 ? std::max(0.0, opening) : -HUGE_VAL;
     }
   }
 }
@@ -471,6 +474,7 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   iterations_ += std::exchange(next_iterations_, 0);
   unbalanced_velocity_ = next_unbalanced_velocity_;
   planned_.clear();
+  first_.contacts.clear();
   duration_ = duration;
 }
 

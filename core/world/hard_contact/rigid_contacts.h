@@ -2,6 +2,7 @@
 
 #include "world/hard_contact/impulse_rows.h"
 #include "world/hard_contact/impulse_solver.h"
+#include "world/hard_contact/island_work.h"
 #include "world/hard_contact/jam.h"
 #include "world/hard_contact/rest.h"
 #include "world/ledger.h"
@@ -29,7 +30,9 @@ class RigidContacts {
         rest_(model, integrator, memory),
         known_(memory),
         next_known_(memory),
-        planned_(memory) {}
+        planned_(memory),
+        first_(memory),
+        islands_(memory) {}
 
   /// Those at the end of the last motion, in order of their blocks.
   const Array<RigidContact<D>>& all() const { return known_; }
@@ -77,7 +80,12 @@ class RigidContacts {
   /// Does any contact close faster than by gravity, before the second half step?
   bool has_impact() const;
   /// Takes the memory of the end of the motion.
-  void reserve() { next_known_.reserve(planned_.size() + known_.size()); }
+  void reserve() {
+    next_known_.reserve(planned_.size() + known_.size());
+    first_.contacts.reserve(problem_.contacts.size());
+    first_.rows.reserve(problem_.rows.size());
+    islands_.reserve(blocks_.slot_count());
+  }
   /// Makes the impulse problem of the first half from the contacts found, with its motions.
   void build();
   /// Changes of velocity so far are those of other contacts.
@@ -104,6 +112,8 @@ class RigidContacts {
   void find_at_end(std::span<const std::size_t> held_by_points);
   /// Makes the impulse problem of the second half, with its motions and targets.
   void set_velocity_targets();
+  /// Lowers restitution where impulses have made energy. True if the problem is to be solved again.
+  bool lower_rebounds();
   void end_motion(EnergyLedger& ledger);
 
   void forget(std::int32_t slot) {
@@ -140,6 +150,18 @@ class RigidContacts {
   bool are_contacts_kept() const;
   void replace_known(double duration);
   double twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact);
+  // Of rebounds, in rebounds.cpp.
+  bool solves_whole() const { return !first_.contacts.empty(); }
+  void keep_first_impulses();
+  void take_first_rows();
+  void take_back_first_impulses();
+  void set_rebounds();
+  void set_targets();
+  /// Calls `visit(row, impulse, is_normal)` for all impulses of a half step on a contact.
+  template <class Visit>
+  void for_each_impulse(std::size_t contact, Visit visit) const;
+  ImpulseWork work_of(std::size_t contact) const;
+  void sum_work_of_islands();
   double book(std::size_t contact, EnergyLedger& ledger);
   void book_motion(EnergyLedger& ledger);
   double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
@@ -157,6 +179,9 @@ class RigidContacts {
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
+  ImpulseProblem<D> first_;  // that of the first half step, in the second one of a motion with rebounds
+  IslandWork islands_;
+  int rebound_trials_ = 0;
   double duration_ = 0;  // of the last motion
   // Losses by all impulses of a motion so far, J, and the sum of the magnitudes of their works.
   double impact_loss_ = 0, friction_loss_ = 0, whole_work_ = 0;
@@ -168,6 +193,19 @@ class RigidContacts {
   double next_unbalanced_velocity_ = 0;  // of the coming one
   double fraction_before_impact_ = 1;
 };
+
+template <int D>
+template <class Visit>
+void RigidContacts<D>::for_each_impulse(std::size_t c, Visit visit) const {
+  const auto visit_all = [&](const ImpulseProblem<D>& problem, const ImpulseContact<D>& contact,
+                             double sign) {
+    std::int32_t i = 0;
+    for (const ImpulseRow<D>& row : problem.rows_of(contact))
+      visit(row, sign * row.impulse, i++ < contact.normal_count);
+  };
+  visit_all(problem_, problem_.contacts[c], 1);
+  if (solves_whole()) visit_all(first_, first_.contacts[c], -1);
+}
 
 extern template class RigidContacts<2>;
 extern template class RigidContacts<3>;
