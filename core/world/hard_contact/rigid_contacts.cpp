@@ -69,11 +69,13 @@ void RigidContacts<D>::add_other_changes() {
 }
 
 /// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
-/// flight: for blocks under constant forces that is exact.
+/// flight: for blocks under constant forces that is exact. Points that bore in the last motion are at rest
+/// unless they approach faster than gravity and the solver's tolerance let them.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
   const bool has_others = model_.may_have_points();
   if (has_others) add_other_changes();
+  const double slow = duration * model_.settings.gravity.norm() + unbalanced_velocity_;
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
     ImpulseContact<D>& of = problem_.contacts[c++];
@@ -82,8 +84,8 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
     const BlockMotion<D> a = motion(std::size_t(of.a)), b = motion(std::size_t(of.b));
     double first = HUGE_VAL;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (rows[i].impulse > 0) continue;
       const double opening = rows[i].velocity(a, b);
+      if (rows[i].impulse > 0 && opening >= -slow) continue;
       const double acceleration = 2 / duration * (problem_.velocity_along(of, rows[i]) - opening);
       const double gap = std::max(0.0, contact.gap[i]);
       const double end = gap + duration * (opening + 0.5 * acceleration * duration);
