@@ -34,6 +34,19 @@ class Energy(SceneTest):
                 losses = [float(row["friction_loss"]) for row in self.rows()]
                 self.assertEqual(losses, sorted(losses))
 
+    def test_rebounds_with_friction_make_none(self):
+        """By Newton's rule of restitution alone, half of these squares would rise higher than they fell."""
+        for restitution in 0.5, 0.9, 1:
+            for k in range(8):
+                rotation, speed, spin = 11 * k - 41, 0.3 * k - 1, 40 * (-1) ** k * (k % 3)
+                with self.subTest(restitution=restitution, rotation=rotation):
+                    law = f'stiffness = "none", restitution = {restitution}'
+                    told = self.run_scene(SQUARE.format(law=law, rotation=rotation, speed=speed, spin=spin)).stdout
+                    self.assertNotIn("ENERGY CREATED", told)
+                    self.assertNotIn("note: energy residual", told)
+                    energies = [float(row["kinetic"]) + float(row["gravity"]) for row in self.rows()]
+                    self.assertLess(max(energies), energies[0] + 1e-3 * (energies[0] - min(energies) + 1))
+
     def test_a_residual_above_1_percent_is_noted(self):
         """Springs this soft let the square through the floor, where the contact plane jumps."""
         law = 'stiffness = "per contact", normal_stiffness = 1e4'
