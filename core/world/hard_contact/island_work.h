@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
-#include "geometry/vector.h"
+#include "world/hard_contact/islands.h"
 
 namespace halfspace {
 
@@ -30,31 +29,21 @@ struct ImpulseWork {
 /// added.
 class IslandWork {
  public:
-  explicit IslandWork(Memory* memory) : head_(memory), work_(memory) {}
+  explicit IslandWork(Memory* memory) : islands_(memory), work_(memory) {}
 
   void reserve(std::size_t blocks) {
-    head_.reserve(blocks);
+    islands_.reserve(blocks);
     work_.reserve(blocks);
   }
   void begin(std::size_t blocks) {
-    head_.resize(blocks);
-    std::iota(head_.begin(), head_.end(), 0);
+    islands_.begin(blocks);
     work_.assign(blocks, {});
   }
-  void join(std::int32_t a, std::int32_t b) { head_[std::size_t(head_of(a))] = head_of(b); }
-  ImpulseWork& of(std::int32_t block) { return work_[std::size_t(head_of(block))]; }
+  void join(std::int32_t a, std::int32_t b) { islands_.join(a, b); }
+  ImpulseWork& of(std::int32_t block) { return work_[std::size_t(islands_.head_of(block))]; }
 
  private:
-  std::int32_t head_of(std::int32_t block) {
-    while (head_[std::size_t(block)] != block) {
-      std::int32_t& above = head_[std::size_t(block)];
-      above = head_[std::size_t(above)];
-      block = above;
-    }
-    return block;
-  }
-
-  Array<std::int32_t> head_;
+  Islands islands_;
   Array<ImpulseWork> work_;
 };
 

@@ -34,7 +34,6 @@ void RigidContacts<D>::keep_first_impulses() {
 /// An early impact has the arms of the motion's start. Inertias are those of now. Slip is not followed.
 template <int D>
 void RigidContacts<D>::take_first_rows() {
-  for (ImpulseRow<D>& row : problem_.rows) row.slip = 0;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const ImpulseContact<D>& contact = problem_.contacts[c];
     const InverseMass<D>&a = problem_.inverse_masses[std::size_t(contact.a)],
@@ -54,6 +53,7 @@ void RigidContacts<D>::take_first_rows() {
       std::copy(rows.begin(), rows.end(), problem_.rows.begin() + contact.first_row);
     }
   }
+  for (ImpulseRow<D>& row : problem_.rows) row.slip = 0;
 }
 
 template <int D>

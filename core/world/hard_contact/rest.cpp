@@ -65,54 +65,50 @@ bool Rest<D>::hold_all(Half half, const ImpulseProblem<D>& problem, double speed
   return true;
 }
 
+/// Blocks that impulses do not move join no islands.
 template <int D>
-std::int32_t Rest<D>::island_of(std::int32_t block) {
-  while (island_[std::size_t(block)] != block) {
-    std::int32_t& above = island_[std::size_t(block)];
-    above = island_[std::size_t(above)];
-    block = above;
-  }
-  return block;
-}
-
-/// Blocks that impulses do not move belong to no island.
-template <int D>
-void Rest<D>::find_islands(const ImpulseProblem<D>& problem) {
-  island_.assign(problem.motions.size(), -1);
+void Rest<D>::find_islands(const ImpulseProblem<D>& problem, double speed) {
+  islands_.begin(problem.motions.size());
+  state_.assign(problem.motions.size(), State::without_contacts);
   for (const ImpulseContact<D>& contact : problem.contacts) {
+    if (contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0) islands_.join(contact.a, contact.b);
+    state_[std::size_t(contact.a)] = state_[std::size_t(contact.b)] = State::stands;
+  }
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    if (are_slow(contact, problem, speed)) continue;
     for (const std::int32_t block : {contact.a, contact.b})
-      if (island_[std::size_t(block)] < 0) island_[std::size_t(block)] = block;
-    if (!(contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0)) continue;
-    const std::int32_t a = island_of(contact.a), b = island_of(contact.b);
-    island_[std::size_t(std::max(a, b))] = std::min(a, b);
+      state_[std::size_t(islands_.head_of(block))] = State::moves;
   }
 }
 
 template <int D>
-void Rest<D>::hold_islands(Half half, const ImpulseProblem<D>& problem, double speed) {
+bool Rest<D>::are_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
+                       double speed) const {
   const auto is_slow_in_problem = [&](std::int32_t i) {
     return std::size_t(i) >= blocks_.moving_end() ||
            is_slow(std::size_t(i), problem.motions[std::size_t(i)], speed);
   };
-  const auto all_slow = [&](const ImpulseContact<D>& contact) {
-    return is_slow_in_problem(contact.a) && is_slow_in_problem(contact.b);
+  return is_slow_in_problem(contact.a) && is_slow_in_problem(contact.b);
+}
+
+/// Does the island of a block stand?
+template <int D>
+bool Rest<D>::stands(std::size_t block) {
+  return state_[block] != State::without_contacts &&
+         state_[std::size_t(islands_.head_of(std::int32_t(block)))] == State::stands;
+}
+
+template <int D>
+void Rest<D>::hold_islands(Half half, const ImpulseProblem<D>& problem, double speed) {
+  const auto is_slow_contact = [&](const ImpulseContact<D>& contact) {
+    return are_slow(contact, problem, speed);
   };
-  if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), all_slow)) return;
-  find_islands(problem);
-  moves_.assign(island_.size(), 0);
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    if (all_slow(contact)) continue;
-    if (contact.inverse_mass_a > 0) moves_[std::size_t(island_of(contact.a))] = true;
-    if (contact.inverse_mass_b > 0) moves_[std::size_t(island_of(contact.b))] = true;
-  }
-  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
-    if (island_[i] < 0 || !(problem.inverse_masses[i].of_mass > 0)) continue;
-    if (!moves_[std::size_t(island_of(std::int32_t(i)))]) integrator_.hold(i, half == Half::first);
-  }
+  if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), is_slow_contact)) return;
+  find_islands(problem, speed);
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
+    if (problem.inverse_masses[i].of_mass > 0 && stands(i)) integrator_.hold(i, half == Half::first);
   standing_halves_ += for_all_movers([&](std::size_t i) {
-    return blocks_.kind[i] == BlockKind::rigid
-               ? island_[i] >= 0 && !moves_[std::size_t(island_of(std::int32_t(i)))]
-               : is_slow(i, problem.motions[i], speed);
+    return blocks_.kind[i] == BlockKind::rigid ? stands(i) : is_slow(i, problem.motions[i], speed);
   });
 }
 

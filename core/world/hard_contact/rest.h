@@ -3,6 +3,7 @@
 #include <span>
 
 #include "world/hard_contact/impulse_problem.h"
+#include "world/hard_contact/islands.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
 
@@ -19,7 +20,7 @@ template <int D>
 class Rest {
  public:
   Rest(const Model<D>& model, Integrator<D>& integrator, Memory* memory)
-      : model_(model), blocks_(model.blocks), integrator_(integrator), island_(memory), moves_(memory) {}
+      : model_(model), blocks_(model.blocks), integrator_(integrator), islands_(memory), state_(memory) {}
 
   /// Is the coming motion of this duration the last one again?
   bool lasts(double duration) const;
@@ -48,8 +49,8 @@ class Rest {
   void forget() { lasts_ = false; }
 
   void reserve(std::size_t blocks) {
-    island_.reserve(blocks);
-    moves_.reserve(blocks);
+    islands_.reserve(blocks);
+    state_.reserve(blocks);
   }
   bool is_consistent() const { return is_nonnegative(duration_) && (lasts_ == 0 || lasts_ == 1); }
   template <class Archive>
@@ -61,18 +62,20 @@ class Rest {
   template <class Visit>
   bool for_all_movers(Visit visit) const;
   bool is_slow(std::size_t block, const BlockMotion<D>& motion, double speed) const;
-  std::int32_t island_of(std::int32_t block);
-  void find_islands(const ImpulseProblem<D>& problem);
+  void find_islands(const ImpulseProblem<D>& problem, double speed);
+  bool are_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem, double speed) const;
+  bool stands(std::size_t block);
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   Integrator<D>& integrator_;
-  Array<std::int32_t> island_;  // of each block: another one of its island, or itself; -1 without contacts
-  Array<std::uint8_t> moves_;   // the island whose head is this block
-  int standing_halves_ = 0;     // in which all blocks were held
-  int repeated_halves_ = 0;     // in which they were held by impulses that have not changed
-  std::int32_t lasts_ = 0;      // in the whole last motion
-  double duration_ = 0;         // of the last motion
+  enum class State : std::uint8_t { without_contacts, stands, moves };
+  Islands islands_;
+  Array<State> state_;       // of each block; of an island that of its head
+  int standing_halves_ = 0;  // in which all blocks were held
+  int repeated_halves_ = 0;  // in which they were held by impulses that have not changed
+  std::int32_t lasts_ = 0;   // in the whole last motion
+  double duration_ = 0;      // of the last motion
 };
 
 extern template class Rest<2>;
