@@ -186,6 +186,7 @@ class HalfspaceWorld : public World {
 
 const char* engine_name() { return "halfspace"; }
 bool knows_dimension(int) { return true; }
+bool knows_hulls() { return true; }
 
 std::vector<Setting> settings() {
   constexpr double usual = 0.5;

@@ -108,6 +108,7 @@ class OdeWorld : public World {
 
 const char* engine_name() { return "ODE"; }
 bool knows_dimension(int dimension) { return dimension == 3; }
+bool knows_hulls() { return false; }
 
 std::vector<Setting> settings() { return with_frame_steps({"direct", "20 iterations", "100 iterations"}); }
 
