@@ -49,7 +49,7 @@ class Row:
     @property
     def curve(self):
         """A law or kind of this library has its own curve; a peer has one curve for all its solvers."""
-        law = re.sub(r", \d+ iterations", "", self.way)
+        law = re.sub(r", (\d+ iterations|tolerance .*)", "", self.way)
         return f"{self.engine}, {law}" if self.engine == "halfspace" else self.engine
 
 
