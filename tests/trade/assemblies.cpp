@@ -16,7 +16,7 @@ namespace {
 
 constexpr double frame = 1.0 / 60;      // s
 constexpr double enough_to_repeat = 3;  // s of processor time; longer passes are not repeated
-constexpr int most_passes = 3;
+constexpr int max_passes = 3;
 
 struct Case {
   Assembly assembly;
@@ -57,7 +57,8 @@ double farthest_moved(const std::vector<Body>& from, const std::vector<Body>& to
   double farthest = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double moved = distance(from[i].position, to[i].position);
-    if (!(moved <= farthest)) farthest = moved;  // also where it is no number
+    if (!std::isfinite(moved)) return moved;
+    farthest = std::max(farthest, moved);
   }
   return farthest;
 }
@@ -66,7 +67,7 @@ void run(const Case& c) {
   const Scene& scene = c.assembly.scene;
   double before = HUGE_VAL, after = HUGE_VAL, spent = 0;  // s
   std::vector<Body> at_end;
-  for (int pass = 0; pass < most_passes && spent < enough_to_repeat; ++pass) {
+  for (int pass = 0; pass < max_passes && spent < enough_to_repeat; ++pass) {
     Trial trial(c.setting);
     Trial::Run run = trial.start(scene);
     run.step(std::lround(c.assembly.divide / frame));

@@ -174,7 +174,7 @@ std::vector<Assembly> assemblies() {
       stack(3, 100),
       wall(3, 8, 12),
       wall(3, 36, 27),
-      pyramid(3, 100),
+      pyramid(3, 70),
       heap("boxes", 3, 1000, box),
       heap("hulls", 3, 1000, hull),
   };
