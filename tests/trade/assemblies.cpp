@@ -1,12 +1,12 @@
 // The program of one engine on walls and heaps of many blocks at steps of 1/60 s: `list` names its cases,
-// `run N` prints the cost of one, how far the farthest block has moved, and how deep blocks overlap at the
-// end. `walls_and_heaps` runs all and writes the table.
+// `run N` prints the costs of one, how far the farthest block has moved, and how deep blocks overlap at the
+// end. `walls_and_heaps` runs all and writes the tables.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 
+#include "assembly.h"
 #include "list_or_run.h"
 #include "overlap.h"
 #include "trial.h"
@@ -14,100 +14,9 @@
 namespace halfspace_trade {
 namespace {
 
-constexpr double frame = 1.0 / 60;  // s
-constexpr int passes = 3;
-
-struct Assembly {
-  std::string name;
-  Scene scene;
-};
-
-Vector up(int dimension, double x) { return dimension == 2 ? Vector{0, x, 0} : Vector{0, 0, x}; }
-
-Body fixed_box(const Vector& size, const Vector& position) {
-  Body body;
-  body.size = size;
-  body.position = position;
-  body.is_fixed = true;
-  return body;
-}
-
-Scene on_plate(int dimension, double width, double depth) {
-  Scene scene{.dimension = dimension, .gravity = up(dimension, -gravity), .friction = 0.5};
-  const Vector size = dimension == 2 ? Vector{width, 2, 1} : Vector{width, depth, 2};
-  scene.bodies.push_back(fixed_box(size, up(dimension, -1)));
-  return scene;
-}
-
-/// Bricks of 2 by 1 in running bond.
-Assembly wall(int dimension, int courses, int bricks) {
-  Scene scene = on_plate(dimension, 4 * bricks, 10);
-  for (int course = 0; course < courses; ++course) {
-    for (int k = 0; k < bricks; ++k) {
-      Body brick;
-      brick.size = {2, 1, 1};
-      brick.position = up(dimension, course + 0.5);
-      brick.position[0] = 2 * k - bricks + course % 2;
-      scene.bodies.push_back(brick);
-    }
-  }
-  return {"wall of " + std::to_string(courses * bricks), scene};
-}
-
-/// A regular polygon of 4 to 8 corners.
-Body polygon(std::mt19937& random) {
-  const int count = 4 + int(random() % 5);
-  const double radius = 0.35 + 0.2 * double(random() % 1024) / 1024;
-  Body body;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * M_PI * i / count;
-    body.polygon.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
-  }
-  const double half = M_PI * double(random() % 1024) / 1024;
-  body.rotation = {0, 0, std::sin(half), std::cos(half)};
-  return body;
-}
-
-Body turned_box(std::mt19937& random) {
-  Body body;
-  for (double& side : body.size) side = 0.55 + 0.3 * double(random() % 1024) / 1024;
-  double square = 0;
-  for (double& part : body.rotation) {
-    part = double(random() % 1024) / 512 - 1 + 1e-3;
-    square += part * part;
-  }
-  for (double& part : body.rotation) part /= std::sqrt(square);
-  return body;
-}
-
-/// Blocks of many forms fall into a bin, in layers.
-Assembly heap(int dimension, int count) {
-  const int across = dimension == 2 ? int(1.5 * std::sqrt(count)) : int(1.5 * std::cbrt(count));
-  const int per_layer = dimension == 2 ? across : across * across;
-  const double spacing = dimension == 2 ? 1.2 : 1.45, width = spacing * across;
-  const double height = 2 * spacing * count / per_layer + 2;
-  Scene scene = on_plate(dimension, width + 4, width + 4);
-  for (const double side : {-1.0, 1.0}) {
-    const double at = side * (width / 2 + 1);
-    if (dimension == 2) {
-      scene.bodies.push_back(fixed_box({2, height, 1}, {at, height / 2, 0}));
-    } else {
-      scene.bodies.push_back(fixed_box({2, width + 4, height}, {at, 0, height / 2}));
-      scene.bodies.push_back(fixed_box({width, 2, height}, {0, at, height / 2}));
-    }
-  }
-  std::mt19937 random(1);
-  for (int i = 0; i < count; ++i) {
-    Body body = dimension == 2 ? polygon(random) : turned_box(random);
-    const int layer = i / per_layer, k = i % per_layer;
-    body.position = up(dimension, spacing * (layer + 0.6));
-    body.position[0] = spacing * (k % across - (across - 1) / 2.0);
-    if (dimension == 3) body.position[1] = spacing * (k / across - (across - 1) / 2.0);
-    scene.bodies.push_back(body);
-  }
-  scene.duration = 5;
-  return {"heap of " + std::to_string(count), scene};
-}
+constexpr double frame = 1.0 / 60;      // s
+constexpr double enough_to_repeat = 3;  // s of processor time; longer passes are not repeated
+constexpr int max_passes = 3;
 
 struct Case {
   Assembly assembly;
@@ -115,13 +24,12 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  std::vector<Assembly> assemblies = {wall(2, 10, 10), wall(2, 30, 33), wall(2, 50, 60), wall(3, 10, 10),
-                                      wall(3, 20, 20), wall(3, 30, 33), heap(2, 1000),   heap(3, 1000)};
   std::vector<Case> all;
-  for (const Assembly& assembly : assemblies)
+  for (const Assembly& assembly : assemblies()) {
+    if (!knows_dimension(assembly.scene.dimension) || (has_hulls(assembly) && !knows_hulls())) continue;
     for (const Setting& setting : settings())
-      if (knows_dimension(assembly.scene.dimension) && setting.indentation == 0 && setting.step == frame)
-        all.push_back({assembly, setting});
+      if (setting.indentation == 0 && setting.step == frame) all.push_back({assembly, setting});
+  }
   return all;
 }
 
@@ -134,29 +42,51 @@ double distance(const Vector& p, const Vector& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
+std::vector<Body> bodies_at(const Trial::Run& run, const Scene& scene) {
+  std::vector<Body> bodies = scene.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].is_fixed) continue;
+    const State state = run.state(i);
+    bodies[i].position = state.position;
+    bodies[i].rotation = state.rotation;
+  }
+  return bodies;
+}
+
+double farthest_moved(const std::vector<Body>& from, const std::vector<Body>& to) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double moved = distance(from[i].position, to[i].position);
+    if (!std::isfinite(moved)) return moved;
+    farthest = std::max(farthest, moved);
+  }
+  return farthest;
+}
+
 void run(const Case& c) {
   const Scene& scene = c.assembly.scene;
-  double least = HUGE_VAL, farthest = 0, overlap = 0;
-  for (int pass = 0; pass < passes; ++pass) {
+  double before = HUGE_VAL, after = HUGE_VAL, spent = 0;  // s
+  std::vector<Body> at_end;
+  for (int pass = 0; pass < max_passes && spent < enough_to_repeat; ++pass) {
     Trial trial(c.setting);
     Trial::Run run = trial.start(scene);
+    run.step(std::lround(c.assembly.divide / frame));
+    const double until_divide = trial.cpu_seconds();
     run.finish();
-    least = std::min(least, trial.cpu_seconds());
-    if (pass > 0) continue;
-    std::vector<Body> bodies = scene.bodies;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i].is_fixed) continue;
-      const State state = run.state(i);
-      farthest = std::max(farthest, distance(state.position, bodies[i].position));
-      bodies[i].position = state.position;
-      bodies[i].rotation = state.rotation;
-    }
-    overlap = mean_overlap(bodies, scene.dimension);
+    spent += trial.cpu_seconds();
+    before = std::min(before, until_divide);
+    after = std::min(after, trial.cpu_seconds() - until_divide);
+    if (pass == 0) at_end = bodies_at(run, scene);
   }
-  std::size_t blocks = 0;
+  double blocks = 0;
   for (const Body& body : scene.bodies) blocks += !body.is_fixed;
+  const auto per_block_and_step = [&](double seconds, double simulated) {
+    return 1e6 * seconds * frame / simulated / blocks;
+  };
   print_name(c);
-  std::printf("|%.3g|%.2g|%.2g\n", 1e6 * least * frame / scene.duration / double(blocks), farthest, overlap);
+  std::printf("|%.3g|%.3g|%.2g|%.2g\n", per_block_and_step(before, c.assembly.divide),
+              per_block_and_step(after, scene.duration - c.assembly.divide),
+              farthest_moved(scene.bodies, at_end), mean_overlap(at_end, scene.dimension));
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ LOOKS = {  # colour and marker
     "halfspace, potential": ("#7c2e41", "^"),
     "halfspace, per contact, affine": ("#b08968", "D"),
     "Box2D": ("#2e6f9e", "v"),
+    "Box2D 3": ("#56b4e9", "<"),
+    "Box3D 0": ("#00897b", "<"),
     "Bullet, double": ("#3a7d44", "v"),
     "Bullet, single": ("#8fbc94", "P"),
     "ODE": ("#8a6fb3", "X"),
@@ -28,7 +30,7 @@ TARGETS = (1e-1, 1e-2, 1e-3, 1e-4)
 
 
 def look(curve):
-    return LOOKS.get(curve, ("black", "."))
+    return LOOKS.get(curve) or LOOKS.get(curve.split(".")[0], ("black", "."))  # of all versions 3.1.1, 3.2.0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,7 +49,7 @@ class Row:
     @property
     def curve(self):
         """A law or kind of this library has its own curve; a peer has one curve for all its solvers."""
-        law = re.sub(r", \d+ iterations", "", self.way)
+        law = re.sub(r", (\d+ iterations|tolerance .*)", "", self.way)
         return f"{self.engine}, {law}" if self.engine == "halfspace" else self.engine
 
 

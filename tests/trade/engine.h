@@ -29,6 +29,7 @@ class World {
 /// Each program of the trade links one definition of these.
 const char* engine_name();
 bool knows_dimension(int dimension);
+bool knows_hulls();  // in space; all know boxes
 std::vector<Setting> settings();
 std::unique_ptr<World> build(const Scene& scene, const Setting& setting);
 

@@ -20,9 +20,9 @@ std::vector<b2Vec2> drawn_in_corners(const Body& body, bool has_weight) {
   const std::vector<Vector> own = corners_of(body, 2);
   for (const Vector& p : own) {
     const double radius = std::hypot(p[0], p[1]), apothem = radius * std::cos(M_PI / double(own.size()));
-    const double share = body.polygon.empty() ? 0 : drawn_in / apothem;
+    const double share = body.corners.empty() ? 0 : drawn_in / apothem;
     corners.push_back(vector_of({p[0] * (1 - share), p[1] * (1 - share), 0}));
-    if (!body.polygon.empty()) continue;
+    if (!body.corners.empty()) continue;
     float& bearing = has_weight ? corners.back().y : corners.back().x;
     bearing -= std::copysign(float(drawn_in), bearing);
   }
@@ -99,6 +99,7 @@ class Box2dWorld : public World {
 
 const char* engine_name() { return "Box2D"; }
 bool knows_dimension(int dimension) { return dimension == 2; }
+bool knows_hulls() { return false; }
 
 std::vector<Setting> settings() {
   return with_frame_steps({"8 velocity, 3 position iterations", "50 velocity, 20 position iterations"});

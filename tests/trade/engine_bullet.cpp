@@ -78,6 +78,7 @@ class BulletWorld : public World {
 
 const char* engine_name() { return sizeof(btScalar) == 8 ? "Bullet, double" : "Bullet, single"; }
 bool knows_dimension(int dimension) { return dimension == 3; }
+bool knows_hulls() { return false; }
 
 std::vector<Setting> settings() { return with_frame_steps({"10 iterations", "100 iterations"}); }
 

@@ -18,6 +18,7 @@ constexpr double typical_size = 1;  // m; H of the potentials
 struct Way {
   std::int32_t law;
   std::int32_t kind;
+  double impulse_tolerance = 1e-6;
   std::int32_t max_iterations = 100;
 };
 
@@ -27,7 +28,10 @@ const std::map<std::string, Way> ways = {
     {"potential", {HS_STIFFNESS_POTENTIAL, HS_BLOCK_RIGID}},
     {"per contact, affine", {HS_STIFFNESS_PER_CONTACT, HS_BLOCK_AFFINE}},
     {"no springs", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID}},
-    {"no springs, 4 iterations", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 4}},
+    {"no springs, tolerance 1e-3", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 1e-3}},
+    {"no springs, tolerance 1e-2", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 1e-2}},
+    {"no springs, 20 iterations", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 1e-6, 20}},
+    {"no springs, 4 iterations", {HS_STIFFNESS_NONE, HS_BLOCK_RIGID, 1e-6, 4}},
 };
 
 bool has_springs(const Way& way) { return way.law != HS_STIFFNESS_NONE; }
@@ -89,6 +93,7 @@ class HalfspaceWorld : public World {
     std::copy(scene_.gravity.begin(), scene_.gravity.end(), def.gravity);
     def.time_step = time_step;
     def.potential_length = typical_size;
+    def.impulse_tolerance = way_.impulse_tolerance;
     def.max_impulse_iterations = way_.max_iterations;
     def.locate_impacts = !has_springs(way_) && scene_.restitution > 0;
     hs_world* made = nullptr;
@@ -186,10 +191,13 @@ class HalfspaceWorld : public World {
 
 const char* engine_name() { return "halfspace"; }
 bool knows_dimension(int) { return true; }
+bool knows_hulls() { return true; }
 
 std::vector<Setting> settings() {
   constexpr double usual = 0.5;
-  std::vector<Setting> all = with_frame_steps({"no springs", "no springs, 4 iterations"});
+  std::vector<Setting> all =
+      with_frame_steps({"no springs", "no springs, tolerance 1e-3", "no springs, tolerance 1e-2",
+                        "no springs, 20 iterations", "no springs, 4 iterations"});
   for (const char* law : {"per contact", "per area", "potential"}) {
     for (const double indentation : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) all.push_back({law, indentation, usual});
     for (const double step : {1.0, 0.125}) all.push_back({law, 1e-4, step});

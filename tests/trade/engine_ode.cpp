@@ -1,6 +1,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <stdexcept>
 
 #include "benchmarks/timing.h"
 #include "engine.h"
@@ -38,7 +39,8 @@ class OdeWorld : public World {
     return halfspace_benchmark::seconds_of([&] {
       for (long i = 0; i < steps; ++i) {
         dSpaceCollide(space_, this, touch);
-        way_ == "direct" ? dWorldStep(world_, time_step_) : dWorldQuickStep(world_, time_step_);
+        const auto step_world = way_ == "direct" ? dWorldStep : dWorldQuickStep;
+        if (!step_world(world_, time_step_)) throw std::runtime_error("ODE has not enough memory for a step");
         dJointGroupEmpty(contacts_);
       }
     });
@@ -108,6 +110,7 @@ class OdeWorld : public World {
 
 const char* engine_name() { return "ODE"; }
 bool knows_dimension(int dimension) { return dimension == 3; }
+bool knows_hulls() { return false; }
 
 std::vector<Setting> settings() { return with_frame_steps({"direct", "20 iterations", "100 iterations"}); }
 

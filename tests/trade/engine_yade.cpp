@@ -120,6 +120,7 @@ class YadeWorld : public World {
 
 const char* engine_name() { return "YADE"; }
 bool knows_dimension(int dimension) { return dimension == 3; }
+bool knows_hulls() { return false; }
 
 std::vector<Setting> settings() {
   std::vector<Setting> all;

@@ -111,7 +111,7 @@ double rest(int dimension, const Setting& setting, const Rest& by) {
     scene.bodies.back().rotation = f.turn(by.tilt);
   }
   scene.bodies[1].density *= by.light;
-  if (by.corner > 0) scene.bodies[1].polygon = cut_box(by.corner);
+  if (by.corner > 0) scene.bodies[1].corners = cut_box(by.corner);
   const double heaviest = mass_of(scene.bodies.back(), dimension).mass;
   scene.load = heaviest * 10 * by.unit * (by.light == 1 ? by.count : 1);
   scene.is_settled = by.light == 1;

@@ -27,6 +27,37 @@ Vector turned(const Quaternion& q, const Vector& v) {
   return sum;
 }
 
+Vector difference(const Vector& p, const Vector& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+/// Normals of the faces of a hull, and its edges, by trying planes through any three corners. Diagonals of
+/// faces count as edges, too: no depth becomes less by more axes than are needed.
+void add_hull(Placed& to) {
+  const std::vector<Vector>& corners = to.corners;
+  const std::size_t count = corners.size();
+  constexpr double rounding = 1e-9;  // m
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      int faces_at_edge = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        Vector normal = cross(difference(corners[j], corners[i]), difference(corners[k], corners[i]));
+        const double length = std::sqrt(dot(normal, normal));
+        if (length < rounding) continue;
+        for (double& part : normal) part /= length;
+        double low = 0, high = 0;
+        for (const Vector& corner : corners) {
+          const double height = dot(normal, difference(corner, corners[i]));
+          low = std::min(low, height);
+          high = std::max(high, height);
+        }
+        if (low < -rounding && high > rounding) continue;
+        ++faces_at_edge;
+        if (k > j) to.normals.push_back(normal);
+      }
+      if (faces_at_edge >= 2) to.edges.push_back(difference(corners[j], corners[i]));
+    }
+  }
+}
+
 Placed placed(const Body& body, int dimension) {
   Placed at;
   const std::vector<Vector> own = corners_of(body, dimension);
@@ -34,6 +65,10 @@ Placed placed(const Body& body, int dimension) {
     const Vector arm = turned(body.rotation, corner);
     at.radius = std::max(at.radius, std::sqrt(dot(arm, arm)));
     at.corners.push_back({body.position[0] + arm[0], body.position[1] + arm[1], body.position[2] + arm[2]});
+  }
+  if (dimension == 3 && !body.corners.empty()) {
+    add_hull(at);
+    return at;
   }
   if (dimension == 3) {
     for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
@@ -70,8 +105,10 @@ double overlap(const Placed& a, const Placed& b) {
   double least = HUGE_VAL;
   for (const Placed* body : {&a, &b})
     for (const Vector& normal : body->normals) least = std::min(least, overlap_along(normal, a, b));
-  for (const Vector& of_a : a.edges)
+  for (const Vector& of_a : a.edges) {
+    if (least <= 0) break;
     for (const Vector& of_b : b.edges) least = std::min(least, overlap_along(cross(of_a, of_b), a, b));
+  }
   return least;
 }
 

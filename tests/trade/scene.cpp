@@ -24,7 +24,7 @@ Mass mass_of_polygon(const std::vector<Vector>& corners, double density) {
 }  // namespace
 
 std::vector<Vector> corners_of(const Body& body, int dimension) {
-  if (!body.polygon.empty()) return body.polygon;
+  if (!body.corners.empty()) return body.corners;
   const double x = body.size[0] / 2, y = body.size[1] / 2, z = dimension == 3 ? body.size[2] / 2 : 0;
   std::vector<Vector> corners = {{-x, -y, -z}, {x, -y, -z}, {x, y, -z}, {-x, y, -z}};
   if (dimension == 3)
@@ -34,6 +34,7 @@ std::vector<Vector> corners_of(const Body& body, int dimension) {
 
 Mass mass_of(const Body& body, int dimension) {
   if (dimension == 2) return mass_of_polygon(corners_of(body, 2), body.density);
+  if (!body.corners.empty()) throw std::logic_error("the mass of a hull");
   const auto& [x, y, z] = body.size;
   const double mass = body.density * x * y * z;
   return {mass, {mass * (y * y + z * z) / 12, mass * (x * x + z * z) / 12, mass * (x * x + y * y) / 12}};

@@ -11,10 +11,10 @@ using Quaternion = std::array<double, 4>;  // x y z w
 constexpr double density = 1000;  // kg/m^3, of bodies that name no other
 constexpr double gravity = 9.81;  // m/s^2
 
-/// A box; in the plane it may be another polygon of at most 8 corners, as many as Box2D takes.
+/// A box, or another convex body: in the plane a polygon of at most 8 corners, as many as Box2D takes.
 struct Body {
   Vector size{1, 1, 1};           // m
-  std::vector<Vector> polygon{};  // counter-clockwise about the centroid; empty for a box
+  std::vector<Vector> corners{};  // about the centroid, in the plane counter-clockwise; empty for a box
   Vector position{};              // m, of the centroid
   Quaternion rotation{0, 0, 0, 1};
   Vector velocity{};  // m/s
@@ -52,6 +52,7 @@ struct Mass {
   double mass = 0;  // kg; in the plane of a thickness of 1 m
   Vector inertia{};
 };
+/// Not of hulls in space: the engines that know them find it themselves.
 Mass mass_of(const Body& body, int dimension);
 
 /// The first body that moves.

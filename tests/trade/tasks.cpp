@@ -136,7 +136,7 @@ Task oblique_impact(Frame f) {
   double radius = 0.5;
   if (f.dimension == 2) {
     for (int i = 0; i < 8; ++i)
-      body.polygon.push_back(
+      body.corners.push_back(
           {radius * std::cos((i - 2) * 45 * degree), radius * std::sin((i - 2) * 45 * degree), 0});
   } else {
     radius = std::sqrt(3.0) / 2;
