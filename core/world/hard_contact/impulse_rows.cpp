@@ -142,7 +142,7 @@ void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem
       const Patch<D> patch = patch_of(at, arm);
       const Vector<D> from_a = patch.center + arm_of_a, from_b = patch.center - to_b + arm_of_b;
       at.center = patch.center;
-      const bool is_loaded = at.normal_impulse() > 0 && !at.is_impact;
+      const bool is_loaded = at.normal_impulse() > 0;
       for (const Vector<D>& tangent : tangents(at.normal)) {
         add_row(contact, tangent, moment(from_a, tangent), moment(from_b, tangent), tangent.dot(at.friction));
         ImpulseRow<D>& row = problem.rows.back();
