@@ -101,8 +101,8 @@ class Terrain(SceneTest):
             expected, found = self.last_row(head + one + sliding), self.last_row(head + many + sliding)
             path = math.hypot(expected["box.x"] - 0.5, expected["box.y"] - 0.05)
             self.assertGreater(path, 0.3)
-            # By springs the friction of one face acts in its middle, that of many follows the pressure. Without them it
-            # acts in the middle of a triangle in the half step in which the box comes onto it, and turns the box a little.
+            # By springs the friction of one face acts in its middle, that of many follows the pressure. Without
+            # them it acts in the middle of a triangle in the half step in which the box comes onto it.
             delta = 2e-4 * path if springs else 1e-5 * path
             for axis in "xyz":
                 self.assertAlmostEqual(found["box." + axis], expected["box." + axis], delta=delta)

@@ -69,8 +69,8 @@ double error_of(int32_t kind, double time_step) {
   return error / (*high - *low);
 }
 
-/// Ground that is shaken by half the acceleration of gravity, as a cosine: the block slides to and fro without
-/// a stop. The error of its displacement after 2 s, over the largest.
+/// Ground that is shaken by half the acceleration of gravity, as a cosine: the block slides to and fro
+/// without a stop. The error of its displacement after 2 s, over the largest.
 double error_of_harmonic(double frequency, double time_step) {
   constexpr double rows_per_second = 960, duration = 2, low_friction = 0.1;
   TableRows rows;
@@ -95,7 +95,8 @@ double error_of_harmonic(double frequency, double time_step) {
 
 TEST_CASE("slip that is reversed within a step is of second order in the step") {
   for (const double frequency : {1.0, 1.7, 0.6}) {
-    const double coarse = error_of_harmonic(frequency, 1.0 / 60), fine = error_of_harmonic(frequency, 1.0 / 240);
+    const double coarse = error_of_harmonic(frequency, 1.0 / 60),
+                 fine = error_of_harmonic(frequency, 1.0 / 240);
     std::printf("a block on ground that swings at %g Hz: error %.1e at 1/60 s, %.1e at 1/240 s\n", frequency,
                 coarse, fine);
     CHECK(coarse < 1e-2);
