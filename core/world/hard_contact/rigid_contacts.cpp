@@ -21,6 +21,9 @@ constexpr double first_tolerance_fraction = 0.5;
 /// Points of a manifold are the same from step to step within this fraction of the radius.
 constexpr double same_place_fraction = 0.05;
 
+/// Blocks are held only by impulses within this tolerance.
+constexpr double tolerance_of_rest = 1e-6;
+
 }  // namespace
 
 /// Impulses of the last motion at the same places, by either block: on a flush face the points may have
@@ -62,7 +65,7 @@ void RigidContacts<D>::warm_start(double duration) {
 template <int D>
 ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const {
   const double fraction = half == Half::first ? first_tolerance_fraction : 1;
-  return {.tolerance = fraction * model_.settings.impulse_tolerance,
+  return {.tolerance = fraction * tolerance(),
           .speed = duration * model_.settings.gravity.norm(),
           .max_iterations = model_.settings.max_impulse_iterations};
 }
@@ -73,11 +76,19 @@ std::optional<Jam> RigidContacts<D>::find_jam(Half half, double ratio) {
   return halfspace::find_jam(problem_, blocks_, free, 1 / changes().rate(), ratio);
 }
 
+/// A large tolerance would hold blocks that ought to slide. So where all are slow, impulses are found exactly
+/// enough to tell whether they stand.
+template <int D>
+double RigidContacts<D>::tolerance() const {
+  const double given = model_.settings.impulse_tolerance;
+  return are_all_slow_ ? std::min(given, tolerance_of_rest) : given;
+}
+
 /// Slower blocks stand: several contacts of a block may each leave the tolerance unbalanced.
 template <int D>
 double RigidContacts<D>::standing_speed(double duration) const {
   constexpr double contacts = 4;
-  return contacts * model_.settings.impulse_tolerance * duration * model_.settings.gravity.norm();
+  return contacts * tolerance() * duration * model_.settings.gravity.norm();
 }
 
 /// Do the impulses of the last motion hold all blocks?
@@ -100,7 +111,8 @@ bool RigidContacts<D>::solve(Half half, double duration) {
   }
   take_impulses(result);
   push();
-  if (!model_.may_have_points()) rest_.hold_islands(half, problem_, standing_speed(duration));
+  if (tolerance() <= tolerance_of_rest && !model_.may_have_points())
+    rest_.hold_islands(half, problem_, standing_speed(duration));
   return result.has_converged;
 }
 
@@ -197,6 +209,8 @@ template <int D>
 void RigidContacts<D>::find(double duration) {
   next_unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
+  are_all_slow_ = false;
+  are_all_slow_ = rest_.may_hold_all(Half::first, standing_speed(duration));
   solver_.set_pause(pause_);
   search_.find(duration, known_, planned_);
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);

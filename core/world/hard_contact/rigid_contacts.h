@@ -143,6 +143,7 @@ class RigidContacts {
   std::optional<Jam> find_jam(Half half, double ratio);
   void set_start(Half half);
   void set_slip_targets(double duration);
+  double tolerance() const;
   double standing_speed(double duration) const;
   bool stands(Half half, double duration);
   void take_impulses(const ImpulseResult& result);
@@ -176,6 +177,7 @@ class RigidContacts {
   Rest<D> rest_;
   SolverPause pause_;  // after the last motion
   std::optional<Jam> jam_;
+  bool are_all_slow_ = false;  // at the beginning of the motion
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
