@@ -270,7 +270,7 @@ void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 }
 
 /// Moves blocks apart that overlap, without a change of their velocities. Returns the change of their
-/// potential energy.
+/// potential energy. It aims at half of the overlap that is settled, so that it comes to an end.
 template <int D>
 double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
   const auto overlaps = [&](const PlannedContact<D>& contact) {
@@ -287,8 +287,9 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].impulse = 0;
-      rows[i].target = -std::max(0.0, contact.gap[i]) +
-                       recovery_fraction * std::max(0.0, -contact.gap[i] - search_.settled_gap(contact));
+      rows[i].target =
+          -std::max(0.0, contact.gap[i]) +
+          recovery_fraction * std::max(0.0, -contact.gap[i] - 0.5 * search_.settled_gap(contact));
     }
   }
   solver_.sweep_only(problem_, std::min(max_recovery_sweeps, model_.settings.max_impulse_iterations));
