@@ -47,7 +47,10 @@ bool World<D>::predict_motion(double duration) {
     lap(Pass::motion);
     if (contacts_.neighbors().needs_rebuild()) renew_neighbors(renewals);
     lap(Pass::search);
-    if (wake_met(duration) && !integrator_.predict(duration)) return false;
+    if (wake_met(duration)) {
+      hard_contacts_.begin(duration);
+      if (!integrator_.predict(duration)) return false;
+    }
     const bool is_predicted = hard_contacts_.predict(clock_.time(), duration);
     lap(Pass::hard_contacts);
     if (!is_predicted) return false;

@@ -196,7 +196,7 @@ template <class Four, bool changes>
     if (group.friction_count > 0) {
       Four impulse = stopping(friction[0], lanes<Four>(friction[0].mass));
       const Four within = max(none - bound, min(bound, impulse));
-      const Four reversed = reverse_slip<Four>(group, friction, bound, &impulse);
+      const Four reversed = group.slips ? reverse_slip<Four>(group, friction, bound, &impulse) : none;
       change(friction[0], select_less(none, reversed, impulse, within));
     }
   } else {
@@ -213,7 +213,7 @@ template <class Four, bool changes>
       beyond[k] = stopping(friction[k], common);
       square_beyond = square_beyond + beyond[k] * beyond[k];
     }
-    const Four reversed = reverse_slip<Four>(group, friction, bound, within);
+    const Four reversed = group.slips ? reverse_slip<Four>(group, friction, bound, within) : none;
     const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(1e-300));
     const Four scale = min(all_four<Four>(1), bound / size_beyond);
     for (std::int32_t k = 0; k < group.friction_count; ++k)

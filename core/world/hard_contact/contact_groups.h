@@ -70,6 +70,7 @@ class ContactGroups {
     std::int32_t first_row;
     std::int32_t normal_count;
     std::int32_t friction_count;
+    bool slips;  // some contact, at the beginning
     OfFour inverse_mass_a;
     OfFour inverse_mass_b;
     OfFour inverse_inertia_a[tensor];

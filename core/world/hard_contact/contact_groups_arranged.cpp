@@ -87,6 +87,7 @@ template <int D>
 void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
   group.first_row = std::int32_t(rows_.size());
   group.friction_count = 0;
+  group.slips = false;
   for (const std::int32_t c : group.contact) {
     if (c >= 0)
       group.friction_count = std::max(group.friction_count, problem.contacts[std::size_t(c)].friction_count);
@@ -112,6 +113,7 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
       to.mass[lane] = from.inverse_mass > 0 ? 1 / from.inverse_mass : 0;
       to.target[lane] = from.target;
       to.slip[lane] = from.slip;
+      group.slips = group.slips || from.slip != 0;
       to.impulse[lane] = from.impulse;
     };
     const std::span<const ImpulseRow<D>> rows = problem.rows_of(contact);

@@ -14,6 +14,7 @@ constexpr double better_start_fraction = 0.1;
 
 template <int D>
 void HardContacts<D>::begin(double duration) {
+  rests_ = false;
   if (!is_used()) return;
   has_points_ = model_.may_have_points();
   points_.begin();

@@ -159,6 +159,14 @@ struct ImpulseProblem {
     return contact.tan_friction * sum;
   }
 
+  /// Does a contact bear, with friction below its bound?
+  bool sticks(const ImpulseContact<D>& contact) {
+    double square = 0;
+    for (const ImpulseRow<D>& row : frictions_of(contact)) square += row.impulse * row.impulse;
+    const double bound = friction_bound(contact);
+    return bound > 0 && square < bound * bound;
+  }
+
   /// Limits friction of this size, which is returned, to the bound.
   static double limit(std::array<double, max_friction_rows<D>>& impulse, double size, double bound) {
     if (size > bound) {
@@ -167,6 +175,7 @@ struct ImpulseProblem {
     return size;
   }
 
+  double slow_slip = 0;  // m/s: slower slip is stopped, and its reversal is not followed
   Array<ImpulseContact<D>> contacts;
   Array<ImpulseRow<D>> rows;
   Array<BlockMotion<D>> start;           // of each block, at the beginning of the half step

@@ -66,9 +66,8 @@ Vector<D> center_of_impulses(const RigidContact<D>& at, const Arms<D>& arm) {
 /// Inertias are those of the present rotations.
 template <int D>
 void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
-  problem.inverse_masses.resize(blocks_.slot_count());
+  problem.inverse_masses.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
-    problem.inverse_masses[i] = {};
     if (!search_.is_free(i) || blocks_.is_part(i)) continue;
     problem.inverse_masses[i] = {1 / blocks_.mass[i], blocks_.inertia[i].inverse(blocks_.rotation[i])};
   }
@@ -146,7 +145,8 @@ void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem
       for (const Vector<D>& tangent : tangents(at.normal)) {
         add_row(contact, tangent, moment(from_a, tangent), moment(from_b, tangent), tangent.dot(at.friction));
         ImpulseRow<D>& row = problem.rows.back();
-        if (is_loaded) row.slip = row.velocity(problem.start[mover_a], problem.start[mover_b]);
+        const double slip = row.velocity(problem.start[mover_a], problem.start[mover_b]);
+        if (is_loaded && std::abs(slip) > problem.slow_slip) row.slip = slip;
       }
       contact.friction_count = D - 1;
       if constexpr (D == 3) {

@@ -13,7 +13,7 @@ namespace halfspace {
 struct ImpulseSettings {
   double tolerance = 1e-6;  // velocity that may remain unbalanced, over `speed`
   double speed = 0;         // m/s, of gravity over the step
-  int max_iterations = 100;
+  int max_iterations = 200;
 
   /// The velocity that may remain when this is the largest one by an impulse: at least its rounding.
   double tolerance_for(double fastest) const {

@@ -88,15 +88,20 @@ void RigidContacts<D>::set_gap_targets(double duration) {
   set_slip_targets(duration);
 }
 
+template <int D>
+bool RigidContacts<D>::turns(std::int32_t mover) const {
+  constexpr double little = 1e-7;
+  const std::size_t i = std::size_t(mover);
+  return can_move(i) && integrator_.predicted_rotation(i).farthest_from(blocks_.rotation[i]) > little;
+}
+
 /// Friction that sticks keeps two points together to the motion's end. The linear rows leave out that their
 /// arms turn: a block would creep outwards on a platform that turns. Where nothing turns this is not seen.
 template <int D>
 void RigidContacts<D>::set_slip_targets(double duration) {
-  constexpr double little_turn = 1e-7;
-  if (!(integrator_.max_rotation() > little_turn)) return;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const ImpulseContact<D>& of = problem_.contacts[c];
-    if (of.friction_count == 0) continue;
+    if (of.friction_count == 0 || !(turns(of.a) || turns(of.b))) continue;
     const Vector<D> way = search_.predicted_slip(planned_[c]);
     for (ImpulseRow<D>& row : problem_.frictions_of(of)) {
       if (!row.direction.isZero(0))
@@ -161,6 +166,7 @@ void RigidContacts<D>::set_targets() {
   template void RigidContacts<D>::find_impacts(double, double);                             \
   template double RigidContacts<D>::gap_floor(const PlannedContact<D>&, std::size_t) const; \
   template void RigidContacts<D>::set_gap_targets(double);                                  \
+  template bool RigidContacts<D>::turns(std::int32_t) const;                                \
   template void RigidContacts<D>::set_slip_targets(double);                                 \
   template bool RigidContacts<D>::correct_targets(double);                                  \
   template void RigidContacts<D>::set_velocity_targets();                                   \

@@ -15,7 +15,7 @@ constexpr double resting_fraction = 1e-3;
 /// How far blocks may deviate from their motion at constant velocity before the search is repeated.
 constexpr double allowance_fraction = 1e-3;
 /// Blocks that have moved against each other by less than this have the manifold that they had (an idea of
-/// Box2D v3 and Box3D, Catto 2024).
+/// Box2D v3 and Box3D, Catto 2024), as long as they move: where they stand it is that of their place.
 constexpr double kept_fraction = 1e-3;
 
 }  // namespace
@@ -89,6 +89,15 @@ void ManifoldSearch<D>::pose_ahead(double duration) {
   }
 }
 
+/// By more than rounding.
+template <int D>
+bool ManifoldSearch<D>::moves(std::size_t slot, double duration) const {
+  if (!blocks_.moves(slot) || integrator_.is_asleep(slot)) return false;
+  const std::size_t mover = blocks_.mover_of(slot);
+  return duration * (blocks_.velocity[mover].norm() + blocks_.swing(mover)) >
+         reach_fraction * blocks_.radius[slot];
+}
+
 /// In order of their blocks, each with the plane that it had among the known ones, if that still serves.
 template <int D>
 void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> known,
@@ -115,7 +124,8 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
       contact.found_turn = before->found_turn;
       const double moved =
           (to_b - before->found_to_b).norm() + blocks_.radius[b] * turn.farthest_from(before->found_turn);
-      contact.is_kept = moved < kept_fraction * smaller_radius(contact);
+      const bool pair_moves = moves(a, duration) || moves(b, duration);
+      contact.is_kept = moved < (pair_moves ? kept_fraction * smaller_radius(contact) : reach(contact));
       if (contact.is_kept) {
         found.push_back(contact);
         continue;

@@ -63,6 +63,7 @@ class ManifoldSearch {
 
  private:
   bool may_touch(const Candidate<D>& pair) const;
+  bool moves(std::size_t slot, double duration) const;
   void pose_ahead(double duration);
   PosedBlock<D> ahead(std::size_t slot) const { return slot < ahead_.size() ? ahead_[slot] : now(slot); }
   const Vector<D>& place_ahead(std::size_t slot) const {

@@ -35,7 +35,8 @@ class ReboundFraction {
     double work;
   };
   double square_at(double work) const {
-    return loss_.square + (gain_.square - loss_.square) * (loss_.work - work) / (loss_.work - gain_.work);
+    const double part = (loss_.work - work) / (loss_.work - gain_.work);
+    return loss_.square + std::clamp(part, 0.0, 1.0) * (gain_.square - loss_.square);
   }
 
   double value_ = 1;

@@ -29,7 +29,7 @@ template <int D>
 bool Rest<D>::lasts(double duration) const {
   if (!lasts_ || duration != duration_) return false;
   return for_all_movers([&](std::size_t i) {
-    if (blocks_.kind[i] == BlockKind::rigid) return integrator_.is_held(i);
+    if (blocks_.kind[i] == BlockKind::rigid) return integrator_.is_held(i, duration);
     const auto [acceleration, spin_rate] = integrator_.rates_of(i);
     return acceleration.isZero(0) && spin_rate.isZero(0) &&
            is_slow(i, {blocks_.velocity[i], blocks_.spin[i]}, 0);
@@ -46,44 +46,15 @@ void Rest<D>::repeat() {
 
 template <int D>
 bool Rest<D>::may_hold_all(Half half, double speed) const {
-  if (half == Half::second) return repeated_halves_ == 1;
+  if (half == Half::second) return is_repeated_[0];
   return speed > 0 && for_all_movers([&](std::size_t i) {
            return is_slow(i, {blocks_.velocity[i], blocks_.spin[i]}, speed);
          });
 }
 
-/// A block without contacts falls, and is faster.
 template <int D>
-bool Rest<D>::hold_all(Half half, const ImpulseProblem<D>& problem, double speed) {
-  if (!for_all_movers([&](std::size_t i) { return is_slow(i, problem.motions[i], speed); })) return false;
-  for_all_movers([&](std::size_t i) {
-    if (blocks_.kind[i] == BlockKind::rigid) integrator_.hold(i, half == Half::first);
-    return true;
-  });
-  ++standing_halves_;
-  ++repeated_halves_;
-  return true;
-}
-
-/// Blocks that impulses do not move join no islands.
-template <int D>
-void Rest<D>::find_islands(const ImpulseProblem<D>& problem, double speed) {
-  islands_.begin(problem.motions.size());
-  state_.assign(problem.motions.size(), State::without_contacts);
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    if (contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0) islands_.join(contact.a, contact.b);
-    state_[std::size_t(contact.a)] = state_[std::size_t(contact.b)] = State::stands;
-  }
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    if (are_slow(contact, problem, speed)) continue;
-    for (const std::int32_t block : {contact.a, contact.b})
-      state_[std::size_t(islands_.head_of(block))] = State::moves;
-  }
-}
-
-template <int D>
-bool Rest<D>::are_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
-                       double speed) const {
+bool Rest<D>::is_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
+                      double speed) const {
   const auto is_slow_in_problem = [&](std::int32_t i) {
     return std::size_t(i) >= blocks_.moving_end() ||
            is_slow(std::size_t(i), problem.motions[std::size_t(i)], speed);
@@ -91,25 +62,71 @@ bool Rest<D>::are_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>
   return is_slow_in_problem(contact.a) && is_slow_in_problem(contact.b);
 }
 
-/// Does the island of a block stand?
+/// A support or an action may give it a velocity.
 template <int D>
-bool Rest<D>::stands(std::size_t block) {
-  return state_[block] != State::without_contacts &&
-         state_[std::size_t(islands_.head_of(std::int32_t(block)))] == State::stands;
+bool Rest<D>::is_guided(std::size_t i) const {
+  return (blocks_.any_held() && blocks_.held[i] != 0) || model_.actions.target_of(i) != nullptr;
 }
 
 template <int D>
-void Rest<D>::hold_islands(Half half, const ImpulseProblem<D>& problem, double speed) {
+void Rest<D>::find_islands(ImpulseProblem<D>& problem, double speed) {
+  const std::int32_t all_that_stays = std::int32_t(problem.motions.size());
+  islands_.begin(problem.motions.size());
+  stuck_.begin(problem.motions.size() + 1);
+  moves_.assign(problem.motions.size(), 0);
+  const auto moves = [&](std::int32_t block) {
+    return problem.inverse_masses[std::size_t(block)].of_mass > 0;
+  };
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    if (moves(contact.a) && moves(contact.b)) islands_.join(contact.a, contact.b);
+    if (problem.sticks(contact))
+      stuck_.join(moves(contact.a) ? contact.a : all_that_stays,
+                  moves(contact.b) ? contact.b : all_that_stays);
+  }
+  const auto move_island_of = [&](std::int32_t block) {
+    moves_[std::size_t(islands_.head_of(block))] = true;
+  };
+  for (const ImpulseContact<D>& contact : problem.contacts) {
+    if (is_slow(contact, problem, speed)) continue;
+    move_island_of(contact.a);
+    move_island_of(contact.b);
+  }
+  for (std::int32_t i = 0; i < std::int32_t(blocks_.moving_end()); ++i) {
+    if (moves(i) && (stuck_.head_of(i) != stuck_.head_of(all_that_stays) || is_guided(std::size_t(i))))
+      move_island_of(i);
+  }
+}
+
+template <int D>
+bool Rest<D>::all_stand(const ImpulseProblem<D>& problem, double speed) {
+  return for_all_movers([&](std::size_t i) {
+    return blocks_.kind[i] == BlockKind::rigid ? stands(i) : is_slow(i, problem.motions[i], speed);
+  });
+}
+
+template <int D>
+bool Rest<D>::hold_all(Half half, ImpulseProblem<D>& problem, double speed) {
+  find_islands(problem, speed);
+  if (!all_stand(problem, speed)) return false;
+  for_all_movers([&](std::size_t i) {
+    if (blocks_.kind[i] == BlockKind::rigid) integrator_.hold(i, half == Half::first);
+    return true;
+  });
+  holds_all_[std::size_t(half)] = is_repeated_[std::size_t(half)] = true;
+  return true;
+}
+
+template <int D>
+void Rest<D>::hold_islands(Half half, ImpulseProblem<D>& problem, double speed) {
+  holds_all_[std::size_t(half)] = is_repeated_[std::size_t(half)] = false;
   const auto is_slow_contact = [&](const ImpulseContact<D>& contact) {
-    return are_slow(contact, problem, speed);
+    return is_slow(contact, problem, speed);
   };
   if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), is_slow_contact)) return;
   find_islands(problem, speed);
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
     if (problem.inverse_masses[i].of_mass > 0 && stands(i)) integrator_.hold(i, half == Half::first);
-  standing_halves_ += for_all_movers([&](std::size_t i) {
-    return blocks_.kind[i] == BlockKind::rigid ? stands(i) : is_slow(i, problem.motions[i], speed);
-  });
+  holds_all_[std::size_t(half)] = all_stand(problem, speed);
 }
 
 template class Rest<2>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <array>
 
 #include "world/hard_contact/impulse_problem.h"
 #include "world/hard_contact/islands.h"
@@ -12,15 +12,21 @@ namespace halfspace {
 /// The two halves of a motion, each with its impulse problem.
 enum class Half { first, second };
 
-/// Blocks that stand. Impulses within the tolerance leave blocks velocities within it: an island of contacts
-/// in which all are as slow is held, so that it does not move at all. Where that is the whole world, the next
-/// motion begins as the last one did, and while no load changes it would end as that one: it is not computed
-/// again.
+/// Blocks that stand. Impulses within the tolerance leave blocks velocities within it. An island of contacts
+/// stands where all blocks are as slow, and where contacts that bear and stick, one after the other, connect
+/// each of them with a block that does not move: then only the tolerance is in the way of no motion. Its
+/// blocks are held, so that they do not move at all. Where that is the whole world, the next motion begins as
+/// the last one did, and while no load changes it would end as that one: it is not computed again.
 template <int D>
 class Rest {
  public:
   Rest(const Model<D>& model, Integrator<D>& integrator, Memory* memory)
-      : model_(model), blocks_(model.blocks), integrator_(integrator), islands_(memory), state_(memory) {}
+      : model_(model),
+        blocks_(model.blocks),
+        integrator_(integrator),
+        islands_(memory),
+        stuck_(memory),
+        moves_(memory) {}
 
   /// Is the coming motion of this duration the last one again?
   bool lasts(double duration) const;
@@ -28,21 +34,20 @@ class Rest {
   void repeat();
 
   // The stages of a motion that is computed.
-  void begin() { standing_halves_ = repeated_halves_ = 0; }
+  /// No half has been solved, or a block has been moved after all.
+  void begin() { holds_all_ = is_repeated_ = {false, false}; }
   /// Has no block been faster than this so far?
   bool may_hold_all(Half half, double speed) const;
-  /// Holds all blocks if none is faster than this in the problem, whose motions contain the impulses. False
-  /// otherwise.
-  bool hold_all(Half half, const ImpulseProblem<D>& problem, double speed);
-  /// Holds the islands of which no block is faster.
-  void hold_islands(Half half, const ImpulseProblem<D>& problem, double speed);
-  /// A block has been moved after all.
-  void forget_halves() { standing_halves_ = repeated_halves_ = 0; }
+  /// Do all blocks stand, none faster than this in the problem, whose motions contain the impulses? Then
+  /// holds them; the impulses are those of the motion before.
+  bool hold_all(Half half, ImpulseProblem<D>& problem, double speed);
+  /// Holds the blocks that stand.
+  void hold_islands(Half half, ImpulseProblem<D>& problem, double speed);
   /// Have all blocks been held, so that nothing has moved?
-  bool holds_all() const { return standing_halves_ == 2; }
+  bool holds_all() const { return holds_all_[0] && holds_all_[1]; }
   /// `are_contacts_kept`: the contacts are those of the motion before.
   void end(double duration, bool are_contacts_kept) {
-    lasts_ = repeated_halves_ == 2 && are_contacts_kept;
+    lasts_ = is_repeated_[0] && is_repeated_[1] && are_contacts_kept;
     duration_ = duration;
   }
   /// Something has changed.
@@ -50,7 +55,8 @@ class Rest {
 
   void reserve(std::size_t blocks) {
     islands_.reserve(blocks);
-    state_.reserve(blocks);
+    stuck_.reserve(blocks + 1);
+    moves_.reserve(blocks);
   }
   bool is_consistent() const { return is_nonnegative(duration_) && (lasts_ == 0 || lasts_ == 1); }
   template <class Archive>
@@ -62,20 +68,22 @@ class Rest {
   template <class Visit>
   bool for_all_movers(Visit visit) const;
   bool is_slow(std::size_t block, const BlockMotion<D>& motion, double speed) const;
-  void find_islands(const ImpulseProblem<D>& problem, double speed);
-  bool are_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem, double speed) const;
-  bool stands(std::size_t block);
+  bool is_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem, double speed) const;
+  bool is_guided(std::size_t block) const;
+  void find_islands(ImpulseProblem<D>& problem, double speed);
+  bool stands(std::size_t block) { return !moves_[std::size_t(islands_.head_of(std::int32_t(block)))]; }
+  bool all_stand(const ImpulseProblem<D>& problem, double speed);
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   Integrator<D>& integrator_;
-  enum class State : std::uint8_t { without_contacts, stands, moves };
-  Islands islands_;
-  Array<State> state_;       // of each block; of an island that of its head
-  int standing_halves_ = 0;  // in which all blocks were held
-  int repeated_halves_ = 0;  // in which they were held by impulses that have not changed
-  std::int32_t lasts_ = 0;   // in the whole last motion
-  double duration_ = 0;      // of the last motion
+  Islands islands_;            // by all contacts
+  Islands stuck_;              // by contacts that bear and stick; the last number is that of all that stays
+  Array<std::uint8_t> moves_;  // an island, at its head
+  // By half of the motion: have all blocks been held, and by impulses that have not changed?
+  std::array<bool, 2> holds_all_{}, is_repeated_{};
+  std::int32_t lasts_ = 0;  // in the whole last motion impulses were repeated
+  double duration_ = 0;     // of the last motion
 };
 
 extern template class Rest<2>;

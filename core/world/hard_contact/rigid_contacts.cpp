@@ -95,8 +95,8 @@ double RigidContacts<D>::standing_speed(double duration) const {
 template <int D>
 bool RigidContacts<D>::stands(Half half, double duration) {
   const double speed = standing_speed(duration);
-  return rest_.may_hold_all(half, speed) && solver_.is_solved(problem_, settings_of(half, duration)) &&
-         rest_.hold_all(half, problem_, speed);
+  return !model_.may_have_points() && rest_.may_hold_all(half, speed) &&
+         solver_.is_solved(problem_, settings_of(half, duration)) && rest_.hold_all(half, problem_, speed);
 }
 
 template <int D>
@@ -192,14 +192,16 @@ BlockMotion<D> RigidContacts<D>::motion_in(Half half, std::size_t i) const {
 
 template <int D>
 void RigidContacts<D>::set_motions(Half half) {
-  problem_.motions.resize(blocks_.slot_count());
+  problem_.motions.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] = motion_in(half, i);
   if (half == Half::second && solves_whole()) take_back_first_impulses();
 }
 
 template <int D>
 void RigidContacts<D>::set_start(Half half) {
-  problem_.start.resize(blocks_.slot_count());
+  constexpr double slow_fraction = 1e-3;
+  problem_.slow_slip = slow_fraction * integrator_.duration() * model_.settings.gravity.norm();
+  problem_.start.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
     problem_.start[i] =
         half == Half::first || !can_move(i) ? motion(i) : integrator_.motion_half_a_step_ago(i);
@@ -277,7 +279,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
     return contact.min_gap() < -search_.settled_gap(contact);
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
-  rest_.forget_halves();
+  rest_.begin();
   rows_.build(planned_, problem_, held_by_points);
   std::fill_n(problem_.motions.begin(), blocks_.moving_end(), BlockMotion<D>());  // displacements
   for (std::size_t c = 0; c < planned_.size(); ++c) {

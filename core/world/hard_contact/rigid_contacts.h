@@ -142,6 +142,7 @@ class RigidContacts {
   BlockMotion<D> motion_in(Half half, std::size_t slot) const;
   std::optional<Jam> find_jam(Half half, double ratio);
   void set_start(Half half);
+  bool turns(std::int32_t mover) const;
   void set_slip_targets(double duration);
   double tolerance() const;
   double standing_speed(double duration) const;

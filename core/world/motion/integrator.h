@@ -115,10 +115,10 @@ class Integrator {
     kicks_.set(block, -(blocks_.velocity[block] + half * acceleration_[block]),
                -(blocks_.momentum[block] + half * momentum_rate_[block]));
   }
-  /// Does a block stand, and would the reaction at the end of the last motion hold it under its present
-  /// rates?
-  bool is_held(std::size_t block) const {
-    const double half = 0.5 * duration_;
+  /// Does a block stand, and would the reaction at the end of the last motion, of the same duration, hold it
+  /// under its present rates?
+  bool is_held(std::size_t block, double duration) const {
+    const double half = 0.5 * duration;
     return blocks_.velocity[block].isZero(0) && blocks_.momentum[block].isZero(0) &&
            reaction_.of_block(block) == -half * acceleration_[block] &&
            reaction_.momentum(block) == -half * momentum_rate_[block];
