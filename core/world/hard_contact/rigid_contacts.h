@@ -152,7 +152,7 @@ class RigidContacts {
   bool are_contacts_kept() const;
   void replace_known(double duration);
   double twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact);
-  // Of rebounds, in rebounds.cpp.
+  // Of rebounds, in rigid_contacts_rebounds.cpp.
   bool solves_whole() const { return !first_.contacts.empty(); }
   void keep_first_impulses();
   void take_first_rows();
