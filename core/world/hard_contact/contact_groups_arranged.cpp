@@ -125,9 +125,14 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
   }
 }
 
-#define HALFSPACE_MEMBERS(D)                                         \
-  template void ContactGroups<D>::arrange(const ImpulseProblem<D>&); \
-  template void ContactGroups<D>::fill(const ImpulseProblem<D>&, typename ContactGroups<D>::Group&);
+#define HALFSPACE_MEMBERS(D)                                                                           \
+  template std::int32_t ContactGroups<D>::next_of(const Lane&, const ImpulseProblem<D>&, const Group&) \
+      const;                                                                                           \
+  template bool ContactGroups<D>::shares_block(const ImpulseContact<D>&, const ImpulseProblem<D>&,     \
+                                               const Group&);                                          \
+  template void ContactGroups<D>::arrange(const ImpulseProblem<D>&);                                   \
+  template void ContactGroups<D>::fill(const ImpulseProblem<D>&, Group&);
+
 HALFSPACE_MEMBERS(2)
 HALFSPACE_MEMBERS(3)
 #undef HALFSPACE_MEMBERS
