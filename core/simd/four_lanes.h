@@ -58,7 +58,10 @@ template <class Four>
 inline TwoLanes low_half(const TwiceTwoLanes& a) { return a.low; }
 inline TwoLanes high_half(const TwiceTwoLanes& a) { return a.high; }
 
-/// Per lane: a < b ? then : otherwise.
+/// Per lane: a < b ? then : otherwise. Code that serves one number, too, is a template of it or the lanes.
+inline double select_less(double a, double b, double then, double otherwise) {
+  return a < b ? then : otherwise;
+}
 inline TwoLanes select_less(TwoLanes a, TwoLanes b, TwoLanes then, TwoLanes otherwise) {
   return a < b ? then : otherwise;
 }
@@ -137,6 +140,7 @@ template <class Four>
   return std::max(two[0], two[1]);
 }
 
+inline double sqrt(double a) { return std::sqrt(a); }
 template <class Four>
 [[gnu::always_inline]] inline Four sqrt(const Four& a) {
   return four_of<Four>(std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]));

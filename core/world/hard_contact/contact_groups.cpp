@@ -59,7 +59,7 @@ struct ContactGroups<D>::Motions {
       for (int i = 0; i < 4; ++i) store_four(motions + stride * std::size_t(blocks[i]) + 4, turns[i]);
     }
   }
-  /// Adds an impulse along a row, `sign` 1 on b and -1 on a.
+  /// Adds an impulse along a row.
   [[gnu::always_inline]] void push(const Row& row, const OfFour (&turn)[angular], const OfFour& inverse_mass,
                                    const OfFour (&inverse_inertia)[tensor], const Four& impulse) {
     const Four change = impulse * lanes<Four>(inverse_mass);
@@ -78,6 +78,40 @@ struct ContactGroups<D>::Motions {
     return sum;
   }
 };
+
+/// The motions of both blocks of each contact of a group.
+template <int D>
+template <class Four>
+struct ContactGroups<D>::Pairs {
+  Motions<Four> a, b;
+
+  [[gnu::always_inline]] Pairs(const double* motions, const Group& group) {
+    a.load(motions, group.a);
+    b.load(motions, group.b);
+  }
+  [[gnu::always_inline]] void store(double* motions, const Group& group) const {
+    a.store(motions, group.a);
+    b.store(motions, group.b);
+  }
+  [[gnu::always_inline]] void push(const Group& group, const Row& row, const Four& impulse) {
+    a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, all_four<Four>(0) - impulse);
+    b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, impulse);
+  }
+};
+
+/// Pushes all contacts by the impulses that `impulse_of(row, is_normal)` returns.
+template <int D>
+template <class Four, class ImpulseOf>
+[[gnu::always_inline]] inline void ContactGroups<D>::push_all(ImpulseOf impulse_of) {
+  for (const Group& group : groups_) {
+    Pairs<Four> pairs(motions_.data(), group);
+    for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
+      Row& row = rows_[std::size_t(group.first_row + i)];
+      pairs.push(group, row, impulse_of(row, i < group.normal_count));
+    }
+    pairs.store(motions_.data(), group);
+  }
+}
 
 template <int D>
 void ContactGroups<D>::take(const ImpulseProblem<D>& problem) {
@@ -131,58 +165,24 @@ void ContactGroups<D>::set_motion(std::size_t block, const BlockMotion<D>& motio
   for (std::size_t i = 0; i < angular; ++i) at[(D == 2 ? 2 : 4) + i] = motion.spin[Eigen::Index(i)];
 }
 
-/// As ImpulseProblem::reverse_slip(). Returns 1 in the lanes in which slip is reversed, else 0.
-template <int D>
-template <class Four>
-[[gnu::always_inline]] inline Four ContactGroups<D>::reverse_slip(const Group& group, const Row* friction,
-                                                                  const Four& bound, Four* impulse) {
-  const Four none = all_four<Four>(0), one = all_four<Four>(1), least = all_four<Four>(1e-300);
-  Four square = none, inverse_mass = none, velocity = none, along = none, replaced = none, size = none;
-  for (std::int32_t k = 0; k < group.friction_count; ++k)
-    square = square + lanes<Four>(friction[k].slip) * lanes<Four>(friction[k].slip);
-  const Four slip = sqrt(square), inverse_slip = one / max(slip, least);
-  for (std::int32_t k = 0; k < group.friction_count; ++k) {
-    const Four part = lanes<Four>(friction[k].slip) * inverse_slip, of_row = lanes<Four>(friction[k].impulse);
-    inverse_mass = inverse_mass + part * part * lanes<Four>(friction[k].inverse_mass);
-    velocity = velocity + part * lanes<Four>(friction[k].inverse_mass) * (of_row - impulse[k]);
-    along = along + part * of_row;
-    replaced = replaced + part * impulse[k];
-  }
-  const Four of_translation = lanes<Four>(group.inverse_mass_a) + lanes<Four>(group.inverse_mass_b);
-  const Four mean = reversed_friction<Four>(slip, velocity - of_translation * along - slip,
-                                            bound * of_translation, none, one);
-  const Four next = along + (mean * bound - along) * of_translation / max(inverse_mass, least);
-  for (std::int32_t k = 0; k < group.friction_count; ++k) {
-    const Four part = lanes<Four>(friction[k].slip) * inverse_slip;
-    impulse[k] = impulse[k] + select_less(mean, one, (next - replaced) * part, none);
-    size = size + impulse[k] * impulse[k];
-  }
-  const Four scale = select_less(mean, one, min(one, bound / max(sqrt(size), least)), one);
-  for (std::int32_t k = 0; k < group.friction_count; ++k) impulse[k] = impulse[k] * scale;
-  return select_less(mean, one, one, none);
-}
-
 /// Normal impulses one after the other, then friction within the bound that they give. Returns the largest
 /// change, as a velocity. If it does not change anything, each row is projected with the present velocities.
 template <int D>
 template <class Four, bool changes>
 [[gnu::always_inline]] inline double ContactGroups<D>::visit(Group& group) {
-  Motions<Four> a, b;
-  a.load(motions_.data(), group.a);
-  b.load(motions_.data(), group.b);
+  Pairs<Four> pairs(motions_.data(), group);
   const Four none = all_four<Four>(0);
   Four largest = none, load = none;
   const auto change = [&](Row & row, const Four& impulse) __attribute__((always_inline)) {
     const Four by = impulse - lanes<Four>(row.impulse);
     if (changes) {
       store_four(row.impulse.data(), impulse);
-      a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, none - by);
-      b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, by);
+      pairs.push(group, row, by);
     }
     largest = max(largest, abs(by) * lanes<Four>(row.inverse_mass));
   };
   const auto stopping = [&](const Row& row, const Four& mass) __attribute__((always_inline)) {
-    return lanes<Four>(row.impulse) - (a.velocity_of(b, row) - lanes<Four>(row.target)) * mass;
+    return lanes<Four>(row.impulse) - (pairs.a.velocity_of(pairs.b, row) - lanes<Four>(row.target)) * mass;
   };
   Row* const rows = rows_.data() + group.first_row;
   for (std::int32_t i = 0; i < group.normal_count; ++i) {
@@ -192,11 +192,26 @@ template <class Four, bool changes>
   }
   Row* const friction = rows + group.normal_count;
   const Four bound = lanes<Four>(group.tan_friction) * load;
+  const auto reverse = [&](Four * impulse) __attribute__((always_inline)) {
+    if (!group.slips) return none;
+    const Four one = all_four<Four>(1), least = all_four<Four>(1e-300);
+    Four square = none;
+    for (std::int32_t k = 0; k < group.friction_count; ++k)
+      square = square + lanes<Four>(friction[k].slip) * lanes<Four>(friction[k].slip);
+    const Four slip = sqrt(square), inverse_slip = one / max(slip, least);
+    const auto row_of = [&](int k) __attribute__((always_inline)) {
+      return SlippingRow<Four>{lanes<Four>(friction[k].slip) * inverse_slip,
+                               lanes<Four>(friction[k].inverse_mass), lanes<Four>(friction[k].impulse)};
+    };
+    const Four of_translation = lanes<Four>(group.inverse_mass_a) + lanes<Four>(group.inverse_mass_b);
+    return reverse_slip<Four>(group.friction_count, slip, row_of, of_translation, bound, impulse, none, one,
+                              least);
+  };
   if constexpr (D == 2) {
     if (group.friction_count > 0) {
       Four impulse = stopping(friction[0], lanes<Four>(friction[0].mass));
       const Four within = max(none - bound, min(bound, impulse));
-      const Four reversed = group.slips ? reverse_slip<Four>(group, friction, bound, &impulse) : none;
+      const Four reversed = reverse(&impulse);
       change(friction[0], select_less(none, reversed, impulse, within));
     }
   } else {
@@ -213,17 +228,14 @@ template <class Four, bool changes>
       beyond[k] = stopping(friction[k], common);
       square_beyond = square_beyond + beyond[k] * beyond[k];
     }
-    const Four reversed = group.slips ? reverse_slip<Four>(group, friction, bound, within) : none;
+    const Four reversed = reverse(within);
     const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(1e-300));
     const Four scale = min(all_four<Four>(1), bound / size_beyond);
     for (std::int32_t k = 0; k < group.friction_count; ++k)
       change(friction[k],
              select_less(none, reversed, within[k], select_less(bound, size, beyond[k] * scale, within[k])));
   }
-  if (changes) {
-    a.store(motions_.data(), group.a);
-    b.store(motions_.data(), group.b);
-  }
+  if (changes) pairs.store(motions_.data(), group);
   return reduce_max(largest);
 }
 
@@ -252,20 +264,11 @@ double ContactGroups<D>::begin() {
   restart_acceleration();
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     Four fastest = all_four<Four>(0);
-    for (const Group& group : groups_) {
-      Motions<Four> a, b;
-      a.load(motions_.data(), group.a);
-      b.load(motions_.data(), group.b);
-      for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
-        const Row& row = rows_[std::size_t(group.first_row + i)];
-        const Four impulse = lanes<Four>(row.impulse);
-        a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, all_four<Four>(0) - impulse);
-        b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, impulse);
-        if (i < group.normal_count) fastest = max(fastest, impulse * lanes<Four>(row.inverse_mass));
-      }
-      a.store(motions_.data(), group.a);
-      b.store(motions_.data(), group.b);
-    }
+    push_all<Four>([&](const Row& row, bool is_normal) __attribute__((always_inline)) {
+      const Four impulse = lanes<Four>(row.impulse);
+      if (is_normal) fastest = max(fastest, impulse * lanes<Four>(row.inverse_mass));
+      return impulse;
+    });
     return reduce_max(fastest);
   });
 }
@@ -294,24 +297,15 @@ template <int D>
 void ContactGroups<D>::accelerate(const ConjugateDirection& direction) {
   with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     const Four ratio = all_four<Four>(direction.ratio());
-    for (const Group& group : groups_) {
-      Motions<Four> a, b;
-      a.load(motions_.data(), group.a);
-      b.load(motions_.data(), group.b);
-      for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
-        Row& row = rows_[std::size_t(group.first_row + i)];
-        const Four more = ratio * lanes<Four>(row.search), impulse = lanes<Four>(row.impulse);
-        const Four search =
-            direction.is_shorter() ? more + impulse - lanes<Four>(row.before) : all_four<Four>(0);
-        store_four(row.search.data(), search);
-        store_four(row.impulse.data(), impulse + more);
-        store_four(row.before.data(), impulse + more);
-        a.push(row, row.turn_a, group.inverse_mass_a, group.inverse_inertia_a, all_four<Four>(0) - more);
-        b.push(row, row.turn_b, group.inverse_mass_b, group.inverse_inertia_b, more);
-      }
-      a.store(motions_.data(), group.a);
-      b.store(motions_.data(), group.b);
-    }
+    push_all<Four>([&](Row & row, bool) __attribute__((always_inline)) {
+      const Four more = ratio * lanes<Four>(row.search), impulse = lanes<Four>(row.impulse);
+      const Four search =
+          direction.is_shorter() ? more + impulse - lanes<Four>(row.before) : all_four<Four>(0);
+      store_four(row.search.data(), search);
+      store_four(row.impulse.data(), impulse + more);
+      store_four(row.before.data(), impulse + more);
+      return more;
+    });
   });
 }
 

@@ -79,6 +79,8 @@ class ContactGroups {
   };
   template <class Four>
   struct Motions;
+  template <class Four>
+  struct Pairs;
 
   /// The contacts that a lane has still to go through.
   struct Lane {
@@ -89,9 +91,8 @@ class ContactGroups {
   static bool shares_block(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
                            const Group& group);
   void fill(const ImpulseProblem<D>& problem, Group& group);
-  template <class Four>
-  [[gnu::always_inline]] static Four reverse_slip(const Group& group, const Row* friction, const Four& bound,
-                                                  Four* impulse);
+  template <class Four, class ImpulseOf>
+  [[gnu::always_inline]] void push_all(ImpulseOf impulse_of);
   template <class Four, bool changes>
   [[gnu::always_inline]] double visit(Group& group);
   /// Calls `visit(contact, lane, first normal row, first friction row)`.

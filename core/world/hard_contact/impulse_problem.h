@@ -28,6 +28,14 @@ struct ImpulseRow {
     return direction.dot(b.velocity - a.velocity) + turn_b.dot(b.spin) - turn_a.dot(a.spin);
   }
 
+  /// Sets what follows from the masses of both blocks.
+  void set_masses(const InverseMass<D>& a, const InverseMass<D>& b) {
+    response_a = a.of_inertia * turn_a;
+    response_b = b.of_inertia * turn_b;
+    inverse_mass =
+        (a.of_mass + b.of_mass) * direction.squaredNorm() + turn_a.dot(response_a) + turn_b.dot(response_b);
+  }
+
   Vector<D> direction;
   Angular<D> turn_a;      // torque on a over the impulse, reversed
   Angular<D> turn_b;      // on b
@@ -109,39 +117,22 @@ struct ImpulseProblem {
       return std::sqrt(square);
     };
     const double stopping = project([](const ImpulseRow<D>& row) { return row.inverse_mass; });
-    if (reverse_slip(contact, rows, bound, impulse)) return HUGE_VAL;
+    double slip = 0;
+    for (const ImpulseRow<D>& row : rows) slip += row.slip * row.slip;
+    slip = std::sqrt(slip);
+    const auto row_of = [&](int k) {
+      const ImpulseRow<D>& row = rows[std::size_t(k)];
+      return SlippingRow<double>{row.slip / slip, row.inverse_mass, row.impulse};
+    };
+    const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
+    if (slip > 0 && reverse_slip(int(rows.size()), slip, row_of, of_translation, bound, impulse.data(), 0.0,
+                                 1.0, 1e-300) > 0)
+      return HUGE_VAL;
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
     double common = 0;
     for (const ImpulseRow<D>& row : rows) common = std::max(common, row.inverse_mass);
     limit(impulse, project([&](const ImpulseRow<D>&) { return common; }), bound);
     return stopping;
-  }
-  /// Replaces stopping impulses by those of a slip that is reversed, if it is. Friction then moves both
-  /// blocks along the slip without a turn, since their normal impulses follow.
-  static bool reverse_slip(const ImpulseContact<D>& contact, std::span<const ImpulseRow<D>> rows,
-                           double bound, std::array<double, max_friction_rows<D>>& impulse) {
-    double slip = 0, inverse_mass = 0, velocity = 0, along = 0, replaced = 0, size = 0;
-    for (const ImpulseRow<D>& row : rows) slip += row.slip * row.slip;
-    if (slip == 0) return false;
-    slip = std::sqrt(slip);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      const double part = rows[k].slip / slip;
-      inverse_mass += part * part * rows[k].inverse_mass;
-      velocity += part * rows[k].inverse_mass * (rows[k].impulse - impulse[k]);
-      along += part * rows[k].impulse;
-      replaced += part * impulse[k];
-    }
-    const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
-    const double mean =
-        reversed_friction(slip, velocity - of_translation * along - slip, bound * of_translation, 0.0, 1.0);
-    if (mean == no_reversal) return false;
-    const double next = along + (mean * bound - along) * of_translation / inverse_mass;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      impulse[k] += (next - replaced) * (rows[k].slip / slip);
-      size += impulse[k] * impulse[k];
-    }
-    limit(impulse, std::sqrt(size), bound);
-    return true;
   }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row, std::size_t(contact.normal_count)};

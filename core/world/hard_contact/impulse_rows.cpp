@@ -24,7 +24,7 @@ Patch<2> patch_of_corners(std::span<const Vector<2>> corner, const Vector<2>&) {
 /// Of a polygon, by triangles from its first corner; of fewer corners or none but on a line, of the segment
 /// to the farthest one.
 Patch<3> patch_of_corners(std::span<const Vector<3>> corner, const Vector<3>& normal) {
-  const Vector<3> origin = corner.front();
+  const Vector<3>& origin = corner.front();
   Vector<3> moment = Vector<3>::Zero(), farthest = Vector<3>::Zero();
   Tensor<3> spread = Tensor<3>::Zero();
   double area = 0;
@@ -103,16 +103,12 @@ void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem
   problem.rows.clear();
   const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,
                            const Angular<D>& turn_a, const Angular<D>& turn_b, double impulse) {
-    const InverseMass<D>&a = problem.inverse_masses[std::size_t(contact.a)],
-          &b = problem.inverse_masses[std::size_t(contact.b)];
     ImpulseRow<D> row;
     row.direction = direction;
     row.turn_a = turn_a;
     row.turn_b = turn_b;
-    row.response_a = a.of_inertia * turn_a;
-    row.response_b = b.of_inertia * turn_b;
-    row.inverse_mass = (contact.inverse_mass_a + contact.inverse_mass_b) * direction.squaredNorm() +
-                       turn_a.dot(row.response_a) + turn_b.dot(row.response_b);
+    row.set_masses(problem.inverse_masses[std::size_t(contact.a)],
+                   problem.inverse_masses[std::size_t(contact.b)]);
     row.target = row.slip = 0;
     row.impulse = impulse;
     problem.rows.push_back(row);

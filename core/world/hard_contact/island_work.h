@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
-#include "world/hard_contact/islands.h"
+#include "world/motion/islands.h"
 
 namespace halfspace {
 

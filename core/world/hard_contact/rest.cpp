@@ -105,13 +105,16 @@ bool Rest<D>::all_stand(const ImpulseProblem<D>& problem, double speed) {
 }
 
 template <int D>
+void Rest<D>::hold_standing(Half half, const ImpulseProblem<D>& problem) {
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
+    if (problem.inverse_masses[i].of_mass > 0 && stands(i)) integrator_.hold(i, half == Half::first);
+}
+
+template <int D>
 bool Rest<D>::hold_all(Half half, ImpulseProblem<D>& problem, double speed) {
   find_islands(problem, speed);
   if (!all_stand(problem, speed)) return false;
-  for_all_movers([&](std::size_t i) {
-    if (blocks_.kind[i] == BlockKind::rigid) integrator_.hold(i, half == Half::first);
-    return true;
-  });
+  hold_standing(half, problem);
   holds_all_[std::size_t(half)] = is_repeated_[std::size_t(half)] = true;
   return true;
 }
@@ -124,8 +127,7 @@ void Rest<D>::hold_islands(Half half, ImpulseProblem<D>& problem, double speed) 
   };
   if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), is_slow_contact)) return;
   find_islands(problem, speed);
-  for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
-    if (problem.inverse_masses[i].of_mass > 0 && stands(i)) integrator_.hold(i, half == Half::first);
+  hold_standing(half, problem);
   holds_all_[std::size_t(half)] = all_stand(problem, speed);
 }
 

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "world/hard_contact/impulse_problem.h"
-#include "world/hard_contact/islands.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
+#include "world/motion/islands.h"
 
 namespace halfspace {
 
@@ -72,6 +72,7 @@ class Rest {
   bool is_guided(std::size_t block) const;
   void find_islands(ImpulseProblem<D>& problem, double speed);
   bool stands(std::size_t block) { return !moves_[std::size_t(islands_.head_of(std::int32_t(block)))]; }
+  void hold_standing(Half half, const ImpulseProblem<D>& problem);
   bool all_stand(const ImpulseProblem<D>& problem, double speed);
 
   const Model<D>& model_;

@@ -86,15 +86,15 @@ double RigidContacts<D>::tolerance() const {
 
 /// Slower blocks stand: several contacts of a block may each leave the tolerance unbalanced.
 template <int D>
-double RigidContacts<D>::standing_speed(double duration) const {
+double RigidContacts<D>::standing_speed(double tolerance, double duration) const {
   constexpr double contacts = 4;
-  return contacts * tolerance() * duration * model_.settings.gravity.norm();
+  return contacts * tolerance * duration * model_.settings.gravity.norm();
 }
 
 /// Do the impulses of the last motion hold all blocks?
 template <int D>
 bool RigidContacts<D>::stands(Half half, double duration) {
-  const double speed = standing_speed(duration);
+  const double speed = standing_speed(tolerance(), duration);
   return !model_.may_have_points() && rest_.may_hold_all(half, speed) &&
          solver_.is_solved(problem_, settings_of(half, duration)) && rest_.hold_all(half, problem_, speed);
 }
@@ -112,7 +112,7 @@ bool RigidContacts<D>::solve(Half half, double duration) {
   take_impulses(result);
   push();
   if (tolerance() <= tolerance_of_rest && !model_.may_have_points())
-    rest_.hold_islands(half, problem_, standing_speed(duration));
+    rest_.hold_islands(half, problem_, standing_speed(tolerance(), duration));
   return result.has_converged;
 }
 
@@ -211,8 +211,8 @@ template <int D>
 void RigidContacts<D>::find(double duration) {
   next_unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
-  are_all_slow_ = false;
-  are_all_slow_ = rest_.may_hold_all(Half::first, standing_speed(duration));
+  are_all_slow_ =
+      rest_.may_hold_all(Half::first, standing_speed(model_.settings.impulse_tolerance, duration));
   solver_.set_pause(pause_);
   search_.find(duration, known_, planned_);
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);

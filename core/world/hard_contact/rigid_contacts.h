@@ -145,7 +145,7 @@ class RigidContacts {
   bool turns(std::int32_t mover) const;
   void set_slip_targets(double duration);
   double tolerance() const;
-  double standing_speed(double duration) const;
+  double standing_speed(double tolerance, double duration) const;
   bool stands(Half half, double duration);
   void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);

@@ -40,11 +40,7 @@ void RigidContacts<D>::take_first_rows() {
           &b = problem_.inverse_masses[std::size_t(contact.b)];
     const ImpulseContact<D>& first = first_.contacts[c];
     for (std::int32_t i = 0; i < first.normal_count + first.friction_count; ++i) {
-      ImpulseRow<D>& row = first_.rows[std::size_t(first.first_row + i)];
-      row.response_a = a.of_inertia * row.turn_a;
-      row.response_b = b.of_inertia * row.turn_b;
-      row.inverse_mass = (contact.inverse_mass_a + contact.inverse_mass_b) * row.direction.squaredNorm() +
-                         row.turn_a.dot(row.response_a) + row.turn_b.dot(row.response_b);
+      first_.rows[std::size_t(first.first_row + i)].set_masses(a, b);
     }
     const bool is_alike =
         first.normal_count == contact.normal_count && first.friction_count == contact.friction_count;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/numbers.h"
+#include "world/motion/islands.h"
 
 namespace halfspace {
 namespace {
@@ -54,12 +55,7 @@ double Sleep<D>::longest_sleep(const Model<D>& model, std::size_t i, double leas
 
 template <int D>
 std::int32_t Sleep<D>::head_of(std::int32_t slot) {
-  while (island_[std::size_t(slot)] != slot) {
-    std::int32_t& above = island_[std::size_t(slot)];
-    above = island_[std::size_t(above)];
-    slot = above;
-  }
-  return slot;
+  return head_of_island(island_, slot);
 }
 
 /// Fixed blocks do not connect islands. The smallest slot represents an island, so the order of contacts does
