@@ -1,6 +1,8 @@
 // Rigid blocks without springs that stand, and blocks that only seem to.
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "capi/rigid_world.h"
 #include "catch.h"
@@ -28,7 +30,61 @@ struct CubeOnFloor : RigidWorld {
   }
 };
 
+/// A card house: in each storey pairs of cards that lean on each other, and plates across their tops.
+struct CardHouse : RigidWorld {
+  static constexpr double lean = 0.3, length = 1, thickness = 0.05, half_width = 0.4;
+  std::vector<hs_block> cards;
+
+  CardHouse(int storeys, std::int32_t max_impulse_iterations)
+      : RigidWorld(0.6, g, frame, 3, 1, max_impulse_iterations) {
+    add(corners_of_box({-20, -5, -1}, {20, 5, 0}), HS_BLOCK_FIXED);
+    const double foot = length * std::sin(lean), height = length * std::cos(lean),
+                 across = thickness / std::cos(lean), span = 2 * foot + 2 * across;
+    double z = 0;
+    for (int count = storeys; count > 0; --count) {
+      for (int k = 0; k < count; ++k) {
+        const double middle = (k - 0.5 * (count - 1)) * span;
+        for (const double side : {-1., 1.}) {
+          const double bottom = middle + side * foot, top = middle;
+          Points3 corners;
+          for (const double y : {-half_width, half_width}) {
+            for (const double x : {bottom, bottom + side * across}) corners.push_back({x, y, z});
+            for (const double x : {top, top + side * across}) corners.push_back({x, y, z + height});
+          }
+          cards.push_back(add(corners));
+        }
+      }
+      z += height;
+      for (int k = 0; k + 1 < count; ++k) {
+        const double middle = (k - 0.5 * (count - 2)) * span;
+        cards.push_back(add(corners_of_box({middle - span / 2, -half_width, z},
+                                           {middle + span / 2, half_width, z + thickness})));
+      }
+      z += thickness;
+    }
+  }
+  double largest_way(int steps) {
+    std::vector<hs_block_state> before;
+    for (const hs_block card : cards) before.push_back(state(card));
+    step(steps);
+    double way = 0;
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+      const hs_block_state after = state(cards[i]);
+      const double *from = before[i].pose.position, *to = after.pose.position;
+      way = std::max(way, std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
+    }
+    return way;
+  }
+};
+
 }  // namespace
+
+TEST_CASE("no cap on sweeps lets a card house fall") {
+  for (const std::int32_t sweeps : {1, 4}) {
+    INFO(sweeps << " sweeps");
+    CHECK(CardHouse(5, sweeps).largest_way(100) < 1e-3);
+  }
+}
 
 TEST_CASE("a cube without springs stands without any motion, until friction is overcome") {
   CubeOnFloor rigid(0.5);

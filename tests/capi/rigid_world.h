@@ -16,12 +16,14 @@ struct RigidWorld {
   World world;
   double metre;
 
-  RigidWorld(double friction, double weight, double time_step, int dimension = 3, double of_metre = 1)
+  RigidWorld(double friction, double weight, double time_step, int dimension = 3, double of_metre = 1,
+             std::int32_t max_impulse_iterations = 200)
       : metre(of_metre) {
     hs_world_def def = world_def(dimension);
     std::fill(def.gravity, def.gravity + 3, 0.0);
     def.gravity[dimension - 1] = -weight * metre;
     def.time_step = time_step;
+    def.max_impulse_iterations = max_impulse_iterations;
     world = make_world(context.get(), def);
     std::int32_t material = -1;
     const double per_volume = density / std::pow(metre, dimension);

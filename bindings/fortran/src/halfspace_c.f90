@@ -367,7 +367,8 @@ module halfspace_c
     !> velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
     !! time step, > 0; default 1e-6
     real(c_double) :: impulse_tolerance = 0.0_c_double
-    integer(c_int32_t) :: max_impulse_iterations = 0  !< sweeps of their solver per half step, >= 1; default 200
+    !> max sweeps of their solver per half step where blocks move past each other, >= 1; default 200
+    integer(c_int32_t) :: max_impulse_iterations = 0
     !> 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
     !! default 0
     integer(c_int32_t) :: locate_impacts = 0

@@ -466,7 +466,8 @@ class hs_world_def(_Struct):
         # velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
         # time step, > 0; default 1e-6
         ("impulse_tolerance", c_double),
-        ("max_impulse_iterations", c_int32),  # sweeps of their solver per half step, >= 1; default 200
+        # max sweeps of their solver per half step where blocks move past each other, >= 1; default 200
+        ("max_impulse_iterations", c_int32),
         # 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
         # default 0
         ("locate_impacts", c_int32),

@@ -68,7 +68,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         Velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times time
         step, > 0; default 1e-6.
     max_impulse_iterations : int
-        Sweeps of their solver per half step, >= 1; default 100.
+        Max sweeps of their solver per half step where blocks move past each other, >= 1; default 200.
     locate_impacts : bool
         Divide steps at their impacts, which makes rebounds accurate; default False.
     law : Law, optional

@@ -68,7 +68,8 @@ typedef struct hs_world_def {
                                 block sleeps. Meshes, and deformable worlds of HS_STIFFNESS_NONE, do not */
   double impulse_tolerance; /**< velocity that the impulses of rigid blocks without springs may leave
                                  unbalanced, over gravity times time step, > 0; default 1e-6 */
-  int32_t max_impulse_iterations; /**< sweeps of their solver per half step, >= 1; default 200 */
+  int32_t max_impulse_iterations; /**< max sweeps of their solver per half step where blocks move past each
+                                        other, >= 1; default 200 */
   int32_t locate_impacts;  /**< 1: steps are divided at the impacts of rigid blocks without springs, which makes
                                 rebounds accurate; default 0 */
 } hs_world_def;

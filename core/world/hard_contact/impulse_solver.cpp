@@ -10,7 +10,14 @@ namespace {
 /// Sweeps before active sets are tried, doubled each time that they fail.
 constexpr int first_sweeps = 4;
 
-/// Active sets help when they leave this fraction of the velocity unbalanced.
+/// Where active sets are tried: the cap of the settings never lets a structure fall.
+constexpr int max_sweeps = 200;
+
+/// Active sets do not settle while sweeps change velocities by more than this fraction of what gravity does.
+constexpr double quiet_fraction = 0.5;
+
+/// They help when they leave this fraction of it, and are soon tried again when it is this fraction of what
+/// was.
 constexpr double helpful_fraction = 0.1;
 
 }  // namespace
@@ -33,25 +40,36 @@ bool ImpulseSolver<D>::is_solved(ImpulseProblem<D>& problem, const ImpulseSettin
   return true;
 }
 
+/// Active sets that leave much unbalanced are dropped. The next sweeps would not mend them.
+template <int D>
+bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful,
+                                         double& unbalanced) {
+  groups_.give(problem);
+  const double left = active_set_.solve(problem, tolerance, false);
+  if (left > std::max(helpful, tolerance)) return false;
+  groups_.renew(problem);
+  restart_acceleration();
+  unbalanced = left;
+  return true;
+}
+
 template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
+  const bool is_in_motion = pause_.length > 0, uses_active_sets = pause_.ends_now();
   groups_.take(problem);
   double fastest = groups_.begin();
   conjugate_ = {};
-  const auto solve_active_set = [&](double tolerance, bool is_cold) {
-    groups_.give(problem);
-    const double unbalanced = active_set_.solve(problem, tolerance, is_cold);
+  if (fastest == 0 && uses_active_sets) {
+    active_set_.solve(problem, settings.tolerance * settings.speed, true);
     groups_.renew(problem);
     restart_acceleration();
-    return unbalanced;
-  };
-  const bool uses_active_sets = pause_.ends_now();
-  if (fastest == 0 && uses_active_sets) solve_active_set(settings.tolerance * settings.speed, true);
+  }
   ImpulseResult result;
   Stall stall;
   int wait = first_sweeps, next_active_set = wait;
+  bool have_sets_helped = false;
   bool is_symmetric = false;  // since the last acceleration: as many sweeps forwards as backwards
-  for (int i = 1; i <= settings.max_iterations; ++i) {
+  for (int i = 1; i <= std::max(max_sweeps, settings.max_iterations); ++i) {
     const bool is_backwards = i % 2 == 0;
     if (is_symmetric) accelerate();
     is_symmetric = is_backwards;
@@ -61,21 +79,26 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     const double tolerance = settings.tolerance_for(fastest);
     result.has_converged = result.unbalanced <= tolerance;
     if (result.has_converged) break;
-    if (i >= next_active_set && uses_active_sets) {
-      const double unbalanced = solve_active_set(tolerance, false);
-      if (unbalanced <= tolerance) {
-        pause_ = {};
-        return {i, unbalanced, true};
+    const bool is_quiet = result.unbalanced <= quiet_fraction * settings.scale(fastest);
+    const bool may_try_sets = uses_active_sets && is_quiet;
+    if (is_in_motion && !may_try_sets && i >= settings.sweeps_in_motion(is_quiet)) break;
+    if (may_try_sets && i >= next_active_set) {
+      const double before = result.unbalanced, helpful = helpful_fraction * settings.scale(fastest);
+      if (solve_active_sets(problem, tolerance, helpful, result.unbalanced)) {
+        have_sets_helped = true;
+        is_symmetric = false;
+        if (result.unbalanced <= tolerance) {
+          pause_ = {};
+          return {i, result.unbalanced, true};
+        }
       }
-      wait = unbalanced < helpful_fraction * result.unbalanced ? first_sweeps : 2 * wait;
-      result.unbalanced = std::min(result.unbalanced, unbalanced);
+      wait = result.unbalanced < helpful_fraction * before ? first_sweeps : 2 * wait;
       next_active_set = i + wait;
-      is_symmetric = false;
     }
     if (stall.is_reached(result.unbalanced)) break;
   }
   groups_.give(problem);
-  if (!result.has_converged && uses_active_sets && next_active_set > first_sweeps) pause_.begin_longer();
+  if (!result.has_converged && uses_active_sets && (is_in_motion || !have_sets_helped)) pause_.begin_longer();
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "world/hard_contact/active_set.h"
@@ -15,10 +16,20 @@ struct ImpulseSettings {
   double speed = 0;         // m/s, of gravity over the step
   int max_iterations = 200;
 
-  /// The velocity that may remain when this is the largest one by an impulse: at least its rounding.
+  /// The velocity that others are compared with: of gravity or else the largest one by an impulse.
+  double scale(double fastest) const { return speed > 0 ? speed : fastest; }
+  /// The velocity that may remain: at least the rounding of the largest one.
   double tolerance_for(double fastest) const {
     constexpr double rounding_fraction = 1e-14;
-    return std::max(tolerance * (speed > 0 ? speed : fastest), rounding_fraction * fastest);
+    return std::max(tolerance * scale(fastest), rounding_fraction * fastest);
+  }
+  /// Sweeps where active sets do not settle, since blocks move past each other. While gravity makes as much
+  /// anew in each step, as many as halvings lead from there to the tolerance: what they leave is found by the
+  /// next steps, which start from their impulses.
+  int sweeps_in_motion(bool is_quiet) const {
+    constexpr double least = 4;
+    if (!is_quiet || speed == 0) return max_iterations;
+    return std::min(max_iterations, int(std::ceil(std::max(least, -std::log2(tolerance)))));
   }
 };
 
@@ -85,6 +96,8 @@ class ImpulseSolver {
   }
 
  private:
+  /// True if they help; then they replace the impulses.
+  bool solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful, double& unbalanced);
   void restart_acceleration() {
     conjugate_ = {};
     groups_.restart_acceleration();

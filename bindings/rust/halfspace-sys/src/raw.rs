@@ -631,7 +631,7 @@ pub struct hs_world_def {
     /// velocity that the impulses of rigid blocks without springs may leave unbalanced, over gravity times
     /// time step, > 0; default 1e-6
     pub impulse_tolerance: f64,
-    /// sweeps of their solver per half step, >= 1; default 200
+    /// max sweeps of their solver per half step where blocks move past each other, >= 1; default 200
     pub max_impulse_iterations: i32,
     /// 1: steps are divided at the impacts of rigid blocks without springs, which makes rebounds accurate;
     /// default 0
