@@ -76,7 +76,7 @@ void World<D>::renew_neighbors(int renewals) {
   if (!bonds.rings().is_current()) bonds.rings().find(model_.blocks);
   const bool with_shear =
       model_.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 2.0 : 1.0, renewals == 0,
+  const SkinRule skins{model_.settings.skin, hard_contacts_.is_used() ? 4.0 : 1.0, renewals == 0,
                        share_.common().typical_radius};
   neighbors.search_again(model_.blocks, skins, with_shear);
   contacts_.fit_room();

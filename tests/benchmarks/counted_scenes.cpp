@@ -15,12 +15,12 @@ using halfspace_test::MeshWords;
 using halfspace_test::require_ok;
 using halfspace_test::World;
 
-constexpr std::int64_t wait_with_springs = 200, wait_without = 100;  // steps
+constexpr std::int64_t wait_with_springs = 200, wait_without = 200;  // steps
 
 /// Largest speed at rest, over that of a fall by a block's size. Springs go on to vibrate a little. Without
-/// them, only blocks as slow as this keep their impulses from step to step, and the solver its few
-/// iterations.
-constexpr double rest_with_springs = 1e-3, rest_without = 1e-5;
+/// them, only blocks as slow as this are held, and keep their impulses from step to step without any
+/// iteration.
+constexpr double rest_with_springs = 1e-3, rest_without = 1e-7;
 
 double fall(double size) { return std::sqrt(9.81 * size); }
 

@@ -19,7 +19,7 @@ struct Way {
   std::int32_t law;
   std::int32_t kind;
   double impulse_tolerance = 1e-6;
-  std::int32_t max_iterations = 100;
+  std::int32_t max_iterations = 200;
 };
 
 const std::map<std::string, Way> ways = {

@@ -87,7 +87,8 @@ module halfspace_block_worlds
       character(*), intent(inout), optional :: errmsg
       !> velocity that impulses of rigid blocks without springs may leave unbalanced, over gravity times step; 1e-6
       real(c_double), intent(in), optional :: impulse_tolerance
-      integer, intent(in), optional :: max_impulse_iterations  !< max sweeps where blocks move past each other, >= 1; default 200
+      !> max sweeps of their solver per half step where blocks move past each other, >= 1; default 200
+      integer, intent(in), optional :: max_impulse_iterations
       logical, intent(in), optional :: locate_impacts  !< divide steps at their impacts; default false
     end subroutine create
 

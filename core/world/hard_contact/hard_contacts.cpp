@@ -72,7 +72,7 @@ bool HardContacts<D>::close_gaps(double duration) {
     if (jam()) return false;
     if (!integrator_.predict(duration)) return false;
     const bool are_points_accurate = points_.correct(duration);
-    if ((rigid_.correct_targets(duration) && are_points_accurate) || !has_converged_) break;
+    if (!has_converged_ || (rigid_.correct_targets(duration) && are_points_accurate)) break;
     if (!rigid_.empty()) rigid_.set_motions(Half::first);
   }
   return true;

@@ -95,10 +95,22 @@ Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm)
 }
 
 template <int D>
-void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
-                           std::span<const std::size_t> immovable) {
+void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem) {
+  set_inverse_masses(problem);
+  build_of_masses(contacts, problem, true);
+}
+
+template <int D>
+void ImpulseRows<D>::build_normals(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+                                   std::span<const std::size_t> immovable) {
   set_inverse_masses(problem);
   for (const std::size_t block : immovable) problem.inverse_masses[block] = {};
+  build_of_masses(contacts, problem, false);
+}
+
+template <int D>
+void ImpulseRows<D>::build_of_masses(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+                                     bool with_friction) {
   problem.contacts.clear();
   problem.rows.clear();
   const auto add_row = [&](const ImpulseContact<D>& contact, const Vector<D>& direction,
@@ -133,7 +145,7 @@ void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem
       add_row(contact, at.normal, moment(Vector<D>(arm[i] + arm_of_a), at.normal),
               moment(Vector<D>(arm[i] - to_b + arm_of_b), at.normal), at.impulse[i]);
     }
-    if (contact.tan_friction > 0) {
+    if (with_friction && contact.tan_friction > 0) {
       const Patch<D> patch = patch_of(at, arm);
       const Vector<D> from_a = patch.center + arm_of_a, from_b = patch.center - to_b + arm_of_b;
       at.center = patch.center;

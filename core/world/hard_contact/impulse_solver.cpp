@@ -13,6 +13,9 @@ constexpr int first_sweeps = 4;
 /// Where active sets are tried: the cap of the settings never lets a structure fall.
 constexpr int max_sweeps = 200;
 
+/// A lower cap does not pause active sets that help: so few sweeps between them would not hold a structure.
+constexpr int few_sweeps = 20;
+
 /// Active sets do not settle while sweeps change velocities by more than this fraction of what gravity does.
 constexpr double quiet_fraction = 0.5;
 
@@ -46,7 +49,7 @@ bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, double tole
                                          double& unbalanced) {
   groups_.give(problem);
   const double left = active_set_.solve(problem, tolerance, false);
-  if (left > std::max(helpful, tolerance)) return false;
+  if (!(left <= std::max(helpful, tolerance))) return false;
   groups_.renew(problem);
   restart_acceleration();
   unbalanced = left;
@@ -98,7 +101,8 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     if (stall.is_reached(result.unbalanced)) break;
   }
   groups_.give(problem);
-  if (!result.has_converged && uses_active_sets && (is_in_motion || !have_sets_helped)) pause_.begin_longer();
+  const bool may_pause = is_in_motion || !have_sets_helped || settings.max_iterations >= few_sweeps;
+  if (!result.has_converged && uses_active_sets && may_pause) pause_.begin_longer();
   return result;
 }
 

@@ -24,12 +24,12 @@ struct ImpulseSettings {
     return std::max(tolerance * scale(fastest), rounding_fraction * fastest);
   }
   /// Sweeps where active sets do not settle, since blocks move past each other. While gravity makes as much
-  /// anew in each step, as many as halvings lead from there to the tolerance: what they leave is found by the
-  /// next steps, which start from their impulses.
+  /// anew in each step, the next ones find what these leave: in a heap that is less by the cube of the
+  /// sweeps.
   int sweeps_in_motion(bool is_quiet) const {
     constexpr double least = 4;
     if (!is_quiet || speed == 0) return max_iterations;
-    return std::min(max_iterations, int(std::ceil(std::max(least, -std::log2(tolerance)))));
+    return int(std::min(double(max_iterations), std::max(least, std::round(2 / std::cbrt(tolerance)))));
   }
 };
 

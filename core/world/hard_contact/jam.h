@@ -51,6 +51,9 @@ std::optional<Jam> find_jam(ImpulseProblem<D>& problem, const Blocks<D>& blocks,
   const auto is_driven = [](const BlockMotion<D>& motion) {
     return !motion.velocity.isZero(0) || !motion.spin.isZero(0);
   };
+  if (std::none_of(blocks.kind.begin(), blocks.kind.end(),
+                   [](BlockKind kind) { return kind == BlockKind::prescribed; }))
+    return {};
   Jam jam;
   double lacking = 0, made = 0, driven = 0, driven_size = 0, largest_impulse = 0;
   for (const ImpulseContact<D>& contact : problem.contacts) {

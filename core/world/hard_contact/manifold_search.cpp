@@ -111,7 +111,7 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
     const double margin = allowance(a) + allowance(b);
     const double distance = blocks_.radius[a] + blocks_.radius[b] + margin;
     if ((place_ahead(a) - place_ahead(b)).squaredNorm() > distance * distance) continue;
-    PlannedContact<D> contact;
+    PlannedContact<D>& contact = found.emplace_back();
     contact.a = pair.a;
     contact.b = pair.b;
     while (before != known.end() && before->blocks() < contact.blocks()) ++before;
@@ -126,14 +126,11 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
           (to_b - before->found_to_b).norm() + blocks_.radius[b] * turn.farthest_from(before->found_turn);
       const bool pair_moves = moves(a, duration) || moves(b, duration);
       contact.is_kept = moved < (pair_moves ? kept_fraction * smaller_radius(contact) : reach(contact));
-      if (contact.is_kept) {
-        found.push_back(contact);
-        continue;
-      }
+      if (contact.is_kept) continue;
     }
     contact.found_to_b = to_b;
     contact.found_turn = turn;
-    if (find_manifold(ahead(a), ahead(b), margin, contact.manifold)) found.push_back(contact);
+    if (!find_manifold(ahead(a), ahead(b), margin, contact.manifold)) found.pop_back();
   }
 }
 

@@ -11,7 +11,7 @@ namespace halfspace {
 namespace {
 
 /// Penetration loses this fraction of itself per step.
-constexpr double recovery_fraction = 0.1;
+constexpr double recovery_fraction = 0.25;
 constexpr int max_recovery_sweeps = 10;
 
 /// The second half step finds the unbalanced velocity of the first one twice. At half of the tolerance, both
@@ -280,11 +280,10 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
   };
   if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
   rest_.begin();
-  rows_.build(planned_, problem_, held_by_points);
+  rows_.build_normals(planned_, problem_, held_by_points);
   std::fill_n(problem_.motions.begin(), blocks_.moving_end(), BlockMotion<D>());  // displacements
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     const PlannedContact<D>& contact = planned_[c];
-    problem_.contacts[c].friction_count = 0;
     if (!problem_.can_move(problem_.contacts[c])) problem_.contacts[c].normal_count = 0;
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {

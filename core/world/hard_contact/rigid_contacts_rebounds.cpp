@@ -31,7 +31,8 @@ void RigidContacts<D>::keep_first_impulses() {
   first_.rows.assign(problem_.rows.begin(), problem_.rows.end());
 }
 
-/// An early impact has the arms of the motion's start. Inertias are those of now. Slip is not followed.
+/// An early impact has the arms of the motion's start. Inertias are those of now. Slip is not followed. Where
+/// blocks rest, the whole impulses are twice those of the first half step.
 template <int D>
 void RigidContacts<D>::take_first_rows() {
   for (std::size_t c = 0; c < planned_.size(); ++c) {
@@ -49,7 +50,10 @@ void RigidContacts<D>::take_first_rows() {
       std::copy(rows.begin(), rows.end(), problem_.rows.begin() + contact.first_row);
     }
   }
-  for (ImpulseRow<D>& row : problem_.rows) row.slip = 0;
+  for (ImpulseRow<D>& row : problem_.rows) {
+    row.slip = row.target = 0;
+    row.impulse *= 2;
+  }
 }
 
 template <int D>
