@@ -73,9 +73,10 @@ void ImpulseRows<D>::set_inverse_masses(ImpulseProblem<D>& problem) {
   }
 }
 
-/// The region of the points that touch, on the plane of the manifold. Where they bear, its centre is that of
-/// their impulses, so that a block that slides over many faces does not twist, however they share its weight.
-/// The couple is that of even pressure on the region. Of round faces the points leave out slivers.
+/// The region of the points that touch or bore, on the plane of the manifold. Where they bear, its centre is
+/// that of their impulses, so that a block that slides over many faces does not twist, however they share its
+/// weight: it has a couple, which keeps the moment of friction as the centre moves. The couple is that of
+/// even pressure on the region. Of round faces the points leave out slivers.
 template <int D>
 Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm) const {
   const double touching = at.min_gap() + search_.settled_gap(at);
@@ -83,7 +84,7 @@ Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm)
   corner.fill(Vector<D>::Zero());
   std::size_t count = 0;
   for (std::size_t i = 0; i < std::size_t(at.manifold.count); ++i) {
-    if (at.gap[i] <= touching) corner[count++] = on_plane(at, i, arm[i]);
+    if (at.gap[i] <= touching || at.impulse[i] > 0) corner[count++] = on_plane(at, i, arm[i]);
   }
   Patch<D> patch = patch_of_corners({corner.data(), count}, at.normal);
   if (at.normal_impulse() > 0) patch.center = center_of_impulses(at, arm);
