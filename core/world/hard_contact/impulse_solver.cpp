@@ -46,9 +46,9 @@ bool ImpulseSolver<D>::is_solved(ImpulseProblem<D>& problem, const ImpulseSettin
 /// Active sets that leave much unbalanced are dropped. The next sweeps would not mend them.
 template <int D>
 bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful,
-                                         double& unbalanced) {
+                                         double& unbalanced, bool is_cold) {
   groups_.give(problem);
-  const double left = active_set_.solve(problem, tolerance, false);
+  const double left = active_set_.solve(problem, tolerance, is_cold);
   if (!(left <= std::max(helpful, tolerance))) return false;
   groups_.renew(problem);
   restart_acceleration();
@@ -62,12 +62,9 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
   groups_.take(problem);
   double fastest = groups_.begin();
   conjugate_ = {};
-  if (fastest == 0 && uses_active_sets) {
-    active_set_.solve(problem, settings.tolerance * settings.speed, true);
-    groups_.renew(problem);
-    restart_acceleration();
-  }
   ImpulseResult result;
+  if (fastest == 0 && uses_active_sets)
+    solve_active_sets(problem, settings.tolerance * settings.speed, HUGE_VAL, result.unbalanced, true);
   Stall stall;
   int wait = first_sweeps, next_active_set = wait;
   bool have_sets_helped = false;
@@ -87,7 +84,7 @@ ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseS
     if (is_in_motion && !may_try_sets && i >= settings.sweeps_in_motion(is_quiet)) break;
     if (may_try_sets && i >= next_active_set) {
       const double before = result.unbalanced, helpful = helpful_fraction * settings.scale(fastest);
-      if (solve_active_sets(problem, tolerance, helpful, result.unbalanced)) {
+      if (solve_active_sets(problem, tolerance, helpful, result.unbalanced, false)) {
         have_sets_helped = true;
         is_symmetric = false;
         if (result.unbalanced <= tolerance) {

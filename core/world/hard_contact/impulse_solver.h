@@ -97,7 +97,8 @@ class ImpulseSolver {
 
  private:
   /// True if they help; then they replace the impulses.
-  bool solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful, double& unbalanced);
+  bool solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful, double& unbalanced,
+                         bool is_cold);
   void restart_acceleration() {
     conjugate_ = {};
     groups_.restart_acceleration();
