@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "world_handle.h"
 
 namespace halfspace::capi {
@@ -48,6 +50,14 @@ void require_stepped(World<D>& w, StepResult result) {
            "force between blocks %#llx and %#llx would exceed %g N; stop the block there, or give it a force",
            w.time(), static_cast<long long>(w.steps()), id(jam->block), id(jam->pair.a), id(jam->pair.b),
            jam->pair.force);
+  }
+  if (result == StepResult::unstable &&
+      !std::isfinite(w.stable_time_step())) {  // a shorter step may not help
+    refuse(
+        HS_ERROR_UNSTABLE,
+        "unstable at time %g (step %lld): energy has been created; the largest speed so far is %g m/s, and "
+        "contacts without springs left %g m/s unbalanced in the last step",
+        w.time(), static_cast<long long>(w.steps()), w.peak_speed(), w.hard_contacts().unbalanced_velocity());
   }
   if (result == StepResult::unstable) {
     refuse(HS_ERROR_UNSTABLE,

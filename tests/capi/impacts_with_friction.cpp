@@ -406,4 +406,88 @@ TEST_CASE("a heap that rebounds does not sink where sweeps are few") {
   CHECK(world.report().largest_overlap < 5e-3);
 }
 
+/// By itself the lower block would fall as the upper one does, and none would land.
+TEST_CASE("a block lands on one that the floor supports") {
+  ImpactWorld world(2, 0.5, 0, 1. / 60, false, 9.81);
+  world.add(box(0, 0, 1, 0.3), 0, 0, 0);
+  world.step(3);
+  const hs_block upper = world.add(box(0, 0.3 + 2.06e-4, 1, 0.6 + 2.06e-4), 0, -0.0819, 0);
+  for (int i = 0; i < 3; ++i) {
+    world.step();
+    CHECK(world.state(upper).pose.position[1] == Approx(0.45).margin(1e-12));
+    CHECK(std::abs(world.report().energy.residual) < 1e-9);
+  }
+}
+
+/// Of squares or cubes of side 1 m about the origin, over density, in the frame of the world.
+std::array<double, 3> angular_momentum(const std::vector<hs_block_state>& blocks) {
+  std::array<double, 3> sum{};
+  for (const hs_block_state& block : blocks) {
+    const double *x = block.pose.position, *v = block.velocity;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      sum[i] += x[j] * v[k] - x[k] * v[j] + block.angular_velocity[i] / 6;
+    }
+  }
+  return sum;
+}
+
+/// What overlap there is when blocks turn is taken away by displacements, which change it by as much.
+TEST_CASE("two blocks that collide keep their angular momentum") {
+  const int dimension = GENERATE(2, 3);
+  Random random(4);
+  double error = 0;
+  constexpr int pairs = 100;
+  for (int i = 0; i < pairs; ++i) {
+    ImpactWorld world(dimension, uniform_between(random, 0, 1), uniform_between(random, 0, 1), 1. / 60,
+                      false);
+    const auto any = [&](double size) {
+      std::array<double, 3> parts{};
+      for (double& part : parts) part = uniform_between(random, -size, size);
+      return parts;
+    };
+    std::vector<hs_block> blocks;
+    for (const double side : {-1., 1.}) {
+      std::array<double, 3> velocity = any(0.3), spin = any(2);
+      velocity[0] -= 1.5 * side;
+      const double middle = 0.9 * side, above = 10 + 0.2 * side;
+      if (dimension == 2) velocity[2] = spin[0] = spin[1] = 0;
+      Points3 corners = turned_cube(random);
+      for (Point3& p : corners) p = {p.x + middle, p.y, p.z + above};
+      const Shape shape =
+          dimension == 2
+              ? make_shape(world.context.get(), box(middle - 0.5, above - 0.5, middle + 0.5, above + 0.5))
+              : make_hull(world.context.get(), corners);
+      blocks.push_back(world.add(shape, velocity, spin));
+    }
+    const auto states = [&] {
+      return std::vector<hs_block_state>{world.state(blocks[0]), world.state(blocks[1])};
+    };
+    const std::array<double, 3> before = angular_momentum(states());
+    world.step(40);
+    const std::array<double, 3> after = angular_momentum(states());
+    error += std::hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]) / pairs;
+  }
+  std::printf("%d dimensions: angular momentum of two blocks differs by %.1e m^2/s\n", dimension, error);
+  CHECK(error < 1e-3);
+}
+
+TEST_CASE("blocks that have bounced lie on the floor") {
+  const int dimension = GENERATE(2, 3);
+  ImpactWorld world(dimension, 0.5, 0.9, 1. / 60, false, 9.81);
+  std::vector<hs_block> blocks;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 2 * i - 40, low = 0.0125 * i;
+    const Shape shape =
+        dimension == 2 ? make_shape(world.context.get(), box(x, low, x + 1, low + 0.5))
+                       : make_hull(world.context.get(), box_corners({x, 0, low}, {x + 1, 0.8, low + 0.5}));
+    blocks.push_back(world.add(shape, {}, {}));
+  }
+  world.step(240);
+  for (const hs_block block : blocks) {
+    CHECK(world.state(block).pose.position[dimension - 1] == Approx(0.25).margin(1e-9));
+    CHECK(world.state(block).velocity[dimension - 1] == 0);
+  }
+}
+
 }  // namespace halfspace_test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "capi/rigid_world.h"
@@ -86,6 +87,26 @@ TEST_CASE("no cap on sweeps lets a card house fall") {
   }
 }
 
+/// Sweeps alone hold no such house, and active sets do not settle what moves beside it.
+TEST_CASE("a card house stands beside blocks that are in motion") {
+  const std::int32_t sweeps = GENERATE(4, 200);
+  CardHouse house(3, sweeps);
+  std::vector<hs_block> loose;
+  for (int i = 0; i < 18; ++i) {
+    const double x = 6 + 0.5 * (i % 3), y = 0.5 * (i / 3 % 3) - 0.5, z = 0.5 * (i / 9);
+    loose.push_back(house.add(corners_of_box({x, y, z}, {x + 0.4, y + 0.35, z + 0.3})));
+  }
+  CHECK(house.largest_way(10) < 1e-3);
+  for (int kick = 0; kick < 10; ++kick) {
+    for (std::size_t i = 0; i < loose.size(); ++i) {
+      const double turn = double(i + 5 * std::size_t(kick));
+      const double velocity[] = {std::cos(turn), std::sin(turn), 1.5}, spin[] = {1, 2, 3};
+      require_ok(hs_world_set_velocity(house.world.get(), loose[i], velocity, spin), house.context.get());
+    }
+    CHECK(house.largest_way(20) < 1e-4);
+  }
+}
+
 TEST_CASE("a cube without springs stands without any motion, until friction is overcome") {
   CubeOnFloor rigid(0.5);
   rigid.step(60);
@@ -97,6 +118,16 @@ TEST_CASE("a cube without springs stands without any motion, until friction is o
   rigid.push(1.01 * bound);
   rigid.step(60);
   CHECK(rigid.state(rigid.cube).velocity[0] == Approx(0.01 * 0.5 * g).epsilon(1e-6));
+}
+
+TEST_CASE("no shorter step is advised where no contact has a spring") {
+  CubeOnFloor rigid(0.5);
+  rigid.push(1e75);
+  CHECK(hs_world_step(rigid.world.get(), 100) == HS_ERROR_UNSTABLE);
+  const std::string message = hs_context_last_error(rigid.context.get());
+  INFO(message);
+  CHECK(message.find("energy has been created") != std::string::npos);
+  CHECK(message.find("reduce the time step") == std::string::npos);
 }
 
 TEST_CASE("a cube that friction does not hold is not held", "[rest]") {

@@ -132,21 +132,22 @@ void sweep_to_the_end(unsigned seed) {
   INFO(D << "D, seed " << seed);
   RandomProblem<D> random(seed);
   ContactGroups<D> groups(std::pmr::get_default_resource());
+  random.problem.find_islands();
   groups.arrange(random.problem);
   groups.take(random.problem);
-  CHECK(groups.begin() == 0);
+  CHECK(groups.begin(groups.all()) == 0);
   double change = 1;
-  for (int i = 0; i < 100000 && change > 1e-12; ++i) change = groups.sweep(i % 2 == 1);
+  for (int i = 0; i < 100000 && change > 1e-12; ++i) change = groups.sweep(groups.all(), i % 2 == 1);
   CHECK(change < 1e-10);
   ImpulseProblem<D> solved = random.problem;
-  groups.give(solved);
+  groups.give(groups.all(), solved);
   check_conditions(solved, random.problem);
 
   // Taken up again, nothing is left to do.
   std::copy(random.problem.motions.begin(), random.problem.motions.end(), solved.motions.begin());
-  groups.renew(solved);
-  CHECK(groups.begin() > 0);
-  CHECK(groups.sweep(false) < 1e-10);
+  groups.renew(groups.all(), solved);
+  CHECK(groups.begin(groups.all()) > 0);
+  CHECK(groups.sweep(groups.all(), false) < 1e-10);
 }
 
 }  // namespace
@@ -156,4 +157,32 @@ TEST_CASE("sweeps of contacts in groups end where the impulse problem is solved"
     sweep_to_the_end<2>(seed);
     sweep_to_the_end<3>(seed);
   }
+}
+
+TEST_CASE("islands of contacts end at blocks that impulses do not move") {
+  ImpulseProblem<2> problem(std::pmr::get_default_resource());
+  problem.motions.resize(7);
+  const double moving = 1, fixed = 0;
+  const auto add = [&](std::int32_t a, double mass_a, std::int32_t b, double mass_b) {
+    problem.contacts.push_back({a, b, 0, 0, 0, mass_a, mass_b, 0});
+  };
+  // Block 0 is the floor. Blocks 1, 3 and 5 form an island, 2 and 4 another one, 6 touches nothing.
+  add(0, fixed, 3, moving);
+  add(0, fixed, 4, moving);
+  add(1, moving, 5, moving);
+  add(2, moving, 4, moving);
+  add(3, moving, 5, moving);
+  problem.find_islands();
+  ContactIslands& islands = problem.islands;
+  REQUIRE(islands.count() == 2);
+  const auto is = [](std::span<const std::int32_t> contacts, std::initializer_list<std::int32_t> expected) {
+    return std::equal(contacts.begin(), contacts.end(), expected.begin(), expected.end());
+  };
+  CHECK(is(islands.contacts_of(0), {0, 2, 4}));
+  CHECK(is(islands.contacts_of(1), {1, 3}));
+  for (std::size_t i = 0; i < islands.count(); ++i)
+    for (const std::int32_t c : islands.contacts_of(i)) CHECK(islands.of_contact(std::size_t(c)) == i);
+  for (const std::int32_t block : {1, 3, 5}) CHECK(islands.of_block(block) == 0);
+  for (const std::int32_t block : {2, 4}) CHECK(islands.of_block(block) == 1);
+  CHECK(islands.of_block(6) == -1);
 }

@@ -55,8 +55,8 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
   rows_.clear();
   changed_ = 0;
   double unbalanced = 0;
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const ImpulseContact<D>& contact = problem.contacts[c];
+  for (const std::int32_t c : contacts_) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
     std::int32_t row = contact.first_row;
     bool bears = false;
     for (const ImpulseRow<D>& normal : problem.normals_of(contact)) {
@@ -65,7 +65,7 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
       unbalanced =
           std::max(unbalanced, std::abs(std::max(0.0, projected) - normal.impulse) * normal.inverse_mass);
       set_state(std::size_t(row), row_bears ? State::bears : State::open);
-      if (row_bears) rows_.push_back({row, std::int32_t(c)});
+      if (row_bears) rows_.push_back({row, c});
       bears = bears || row_bears;
       ++row;
     }
@@ -80,7 +80,7 @@ double ActiveSet<D>::classify(ImpulseProblem<D>& problem, double noise) {
       const double change = projected[k] - friction[k].impulse;
       unbalanced = std::max(unbalanced, std::abs(change) * friction[k].inverse_mass);
       set_state(std::size_t(row), sticks ? State::sticks : bears ? State::slides : State::open);
-      if (sticks) rows_.push_back({row, std::int32_t(c)});
+      if (sticks) rows_.push_back({row, c});
       ++row;
     }
   }
@@ -100,7 +100,8 @@ void ActiveSet<D>::find_blocks(const ImpulseProblem<D>& problem) {
   for (const std::int32_t block : blocks_) index_of_block_[std::size_t(block)] = -1;
   index_of_block_.resize(problem.motions.size(), -1);
   blocks_.clear();
-  for (const ImpulseContact<D>& contact : problem.contacts) {
+  for (const std::int32_t c : contacts_) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
     if (contact.inverse_mass_a > 0) add_block(contact.a);
     if (contact.inverse_mass_b > 0) add_block(contact.b);
   }
@@ -110,7 +111,8 @@ template <int D>
 void ActiveSet<D>::order_blocks(const ImpulseProblem<D>& problem) {
   const int count = int(blocks_.size());
   entries_.clear();
-  for (const ImpulseContact<D>& contact : problem.contacts) {
+  for (const std::int32_t c : contacts_) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
     const std::int32_t a = index_of_block_[std::size_t(contact.a)],
                        b = index_of_block_[std::size_t(contact.b)];
     if (a >= 0 && b >= 0) entries_.emplace_back(std::max(a, b), std::min(a, b), 1.0);
@@ -173,7 +175,8 @@ bool ActiveSet<D>::factorize(const ImpulseProblem<D>& problem) {
 /// reversed.
 template <int D>
 void ActiveSet<D>::project(ImpulseProblem<D>& problem) const {
-  for (const ImpulseContact<D>& contact : problem.contacts) {
+  for (const std::int32_t c : contacts_) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
     std::size_t row = std::size_t(contact.first_row);
     for (ImpulseRow<D>& normal : problem.normals_of(contact)) {
       if (states_[row++] == State::open) problem.set_impulse(contact, normal, 0);
@@ -236,8 +239,10 @@ double ActiveSet<D>::refine(ImpulseProblem<D>& problem) {
 
 template <int D>
 void ActiveSet<D>::keep(const ImpulseProblem<D>& problem) {
-  best_.resize(problem.rows.size());
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) best_[i] = problem.rows[i].impulse;
+  best_.clear();
+  for (const std::int32_t c : contacts_)
+    for (const ImpulseRow<D>& row : problem.rows_of(problem.contacts[std::size_t(c)]))
+      best_.push_back(row.impulse);
   best_motions_.resize(problem.motions.size());
   for (const std::int32_t block : blocks_)
     best_motions_[std::size_t(block)] = problem.motions[std::size_t(block)];
@@ -246,10 +251,12 @@ void ActiveSet<D>::keep(const ImpulseProblem<D>& problem) {
 /// Impulses that pull are within the tolerance, and end as none.
 template <int D>
 void ActiveSet<D>::restore(ImpulseProblem<D>& problem) const {
-  for (std::size_t i = 0; i < problem.rows.size(); ++i) problem.rows[i].impulse = best_[i];
   for (const std::int32_t block : blocks_)
     problem.motions[std::size_t(block)] = best_motions_[std::size_t(block)];
-  for (const ImpulseContact<D>& contact : problem.contacts) {
+  auto best = best_.begin();
+  for (const std::int32_t c : contacts_) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
+    for (ImpulseRow<D>& row : problem.rows_of(contact)) row.impulse = *best++;
     for (ImpulseRow<D>& row : problem.normals_of(contact))
       problem.set_impulse(contact, row, std::max(0.0, row.impulse));
   }
@@ -281,9 +288,10 @@ void ActiveSet<D>::reserve(std::size_t rows, std::size_t blocks) {
 }
 
 template <int D>
-double ActiveSet<D>::solve(ImpulseProblem<D>& problem, double tolerance, bool is_cold) {
+double ActiveSet<D>::solve(ImpulseProblem<D>& problem, std::size_t island, double tolerance, bool is_cold) {
   const double noise = noise_fraction * tolerance;
-  states_.assign(problem.rows.size(), State::unknown);
+  contacts_ = problem.islands.contacts_of(island);
+  states_.resize(problem.rows.size());
   compliance_ = first_compliance;
   double least = classify(problem, is_cold ? -noise : noise), last = HUGE_VAL;
   find_blocks(problem);

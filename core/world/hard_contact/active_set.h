@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "world/hard_contact/impulse_problem.h"
@@ -31,12 +32,12 @@ class ActiveSet {
 
   /// Takes the memory of problems of so many rows and blocks, but for that of the factors.
   void reserve(std::size_t rows, std::size_t blocks);
-  /// Changes impulses and motions to those of the active set that leaves the least velocity unbalanced, which
-  /// is returned. Ends well within the tolerance, m/s, or when the sets do not settle.
-  double solve(ImpulseProblem<D>& problem, double tolerance, bool is_cold);
+  /// Changes impulses and motions of an island to those of the active set that leaves the least velocity
+  /// unbalanced, which is returned. Ends well within the tolerance, m/s, or when the sets do not settle.
+  double solve(ImpulseProblem<D>& problem, std::size_t island, double tolerance, bool is_cold);
 
  private:
-  enum class State : std::uint8_t { unknown, open, bears, sticks, slides };
+  enum class State : std::uint8_t { open, bears, sticks, slides };
   struct Row {
     std::int32_t row;
     std::int32_t contact;
@@ -55,12 +56,13 @@ class ActiveSet {
 
   using Matrix = Eigen::SparseMatrix<double>;
 
-  Array<State> states_;                 // of each row
-  int changed_ = 0;                     // states
-  double compliance_ = 0;               // over the inverse effective mass of a row
-  Array<Row> rows_;                     // that bear or stick
-  Array<std::int32_t> index_of_block_;  // of each slot: its place in blocks_, or -1
-  Array<std::int32_t> blocks_;          // that move freely and have a row, in order of elimination
+  std::span<const std::int32_t> contacts_;  // of the island
+  Array<State> states_;                     // of each row
+  int changed_ = 0;                         // states
+  double compliance_ = 0;                   // over the inverse effective mass of a row
+  Array<Row> rows_;                         // that bear or stick
+  Array<std::int32_t> index_of_block_;      // of each slot: its place in blocks_, or -1
+  Array<std::int32_t> blocks_;              // that move freely and have a row, in order of elimination
   std::vector<Eigen::Triplet<double>> entries_;
   Matrix matrix_;
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factors_;

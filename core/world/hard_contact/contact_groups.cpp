@@ -102,8 +102,8 @@ struct ContactGroups<D>::Pairs {
 /// Pushes all contacts by the impulses that `impulse_of(row, is_normal)` returns.
 template <int D>
 template <class Four, class ImpulseOf>
-[[gnu::always_inline]] inline void ContactGroups<D>::push_all(ImpulseOf impulse_of) {
-  for (const Group& group : groups_) {
+[[gnu::always_inline]] inline void ContactGroups<D>::push_all(const Part& part, ImpulseOf impulse_of) {
+  for (const Group& group : groups_of(part)) {
     Pairs<Four> pairs(motions_.data(), group);
     for (std::int32_t i = 0; i < group.normal_count + group.friction_count; ++i) {
       Row& row = rows_[std::size_t(group.first_row + i)];
@@ -116,21 +116,21 @@ template <class Four, class ImpulseOf>
 template <int D>
 void ContactGroups<D>::take(const ImpulseProblem<D>& problem) {
   motions_.assign(stride * (problem.motions.size() + 1), 0);
-  set_motions(problem);
-  rows_.clear();
-  for (Group& group : groups_) fill(problem, group);
-}
-
-template <int D>
-void ContactGroups<D>::set_motions(const ImpulseProblem<D>& problem) {
   for (std::size_t i = 0; i < problem.motions.size(); ++i) set_motion(i, problem.motions[i]);
+  rows_.clear();
+  for (Part& island : islands_) {
+    island.first_row = rows_.size();
+    for (Group& group : groups_of(island)) fill(problem, group);
+    island.end_row = rows_.size();
+  }
 }
 
 template <int D>
-void ContactGroups<D>::renew(const ImpulseProblem<D>& problem) {
-  set_motions(problem);
-  for_each_contact([&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
+void ContactGroups<D>::renew(const Part& part, const ImpulseProblem<D>& problem) {
+  for_each_contact(part, [&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
     const ImpulseContact<D>& contact = problem.contacts[c];
+    for (const std::int32_t block : {contact.a, contact.b})
+      set_motion(std::size_t(block), problem.motions[std::size_t(block)]);
     const std::span<const ImpulseRow<D>> rows = problem.rows_of(contact);
     const std::size_t normals = std::size_t(contact.normal_count);
     for (const ImpulseRow<D>& row : rows.first(normals)) rows_[normal++].impulse[lane] = row.impulse;
@@ -139,8 +139,8 @@ void ContactGroups<D>::renew(const ImpulseProblem<D>& problem) {
 }
 
 template <int D>
-void ContactGroups<D>::give(ImpulseProblem<D>& problem) const {
-  for_each_contact([&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
+void ContactGroups<D>::give(const Part& part, ImpulseProblem<D>& problem) const {
+  for_each_contact(part, [&](std::size_t c, std::size_t lane, std::size_t normal, std::size_t friction) {
     const ImpulseContact<D>& contact = problem.contacts[c];
     for (ImpulseRow<D>& row : problem.normals_of(contact)) row.impulse = rows_[normal++].impulse[lane];
     for (ImpulseRow<D>& row : problem.frictions_of(contact)) row.impulse = rows_[friction++].impulse[lane];
@@ -240,52 +240,53 @@ template <class Four, bool changes>
 }
 
 template <int D>
-double ContactGroups<D>::unbalanced() {
+double ContactGroups<D>::unbalanced(const Part& part) {
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     double largest = 0;
-    for (Group& group : groups_) largest = std::max(largest, visit<Four, false>(group));
+    for (Group& group : groups_of(part)) largest = std::max(largest, visit<Four, false>(group));
     return largest;
   });
 }
 
 template <int D>
-double ContactGroups<D>::sweep(bool is_backwards) {
+double ContactGroups<D>::sweep(const Part& part, bool is_backwards) {
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     double largest = 0;
-    const std::size_t count = groups_.size();
-    for (std::size_t i = 0; i < count; ++i)
-      largest = std::max(largest, visit<Four, true>(groups_[is_backwards ? count - 1 - i : i]));
+    const std::span<Group> groups = groups_of(part);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      largest = std::max(largest, visit<Four, true>(groups[is_backwards ? groups.size() - 1 - i : i]));
     return largest;
   });
 }
 
 template <int D>
-double ContactGroups<D>::begin() {
-  restart_acceleration();
+double ContactGroups<D>::begin(const Part& part) {
+  restart_acceleration(part);
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     Four fastest = all_four<Four>(0);
-    push_all<Four>([&](const Row& row, bool is_normal) __attribute__((always_inline)) {
-      const Four impulse = lanes<Four>(row.impulse);
-      if (is_normal) fastest = max(fastest, impulse * lanes<Four>(row.inverse_mass));
-      return impulse;
-    });
+    push_all<Four>(
+        part, [&](const Row& row, bool is_normal) __attribute__((always_inline)) {
+          const Four impulse = lanes<Four>(row.impulse);
+          if (is_normal) fastest = max(fastest, impulse * lanes<Four>(row.inverse_mass));
+          return impulse;
+        });
     return reduce_max(fastest);
   });
 }
 
 template <int D>
-void ContactGroups<D>::restart_acceleration() {
-  for (Row& row : rows_) {
+void ContactGroups<D>::restart_acceleration(const Part& part) {
+  for (Row& row : rows_of(part)) {
     row.before = row.impulse;
     row.search.fill(0);
   }
 }
 
 template <int D>
-double ContactGroups<D>::squared_change() const {
+double ContactGroups<D>::squared_change(const Part& part) const {
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     Four sum = all_four<Four>(0);
-    for (const Row& row : rows_) {
+    for (const Row& row : rows_of(part)) {
       const Four change = lanes<Four>(row.impulse) - lanes<Four>(row.before);
       sum = sum + change * change * lanes<Four>(row.inverse_mass);
     }
@@ -294,18 +295,19 @@ double ContactGroups<D>::squared_change() const {
 }
 
 template <int D>
-void ContactGroups<D>::accelerate(const ConjugateDirection& direction) {
+void ContactGroups<D>::accelerate(const Part& part, const ConjugateDirection& direction) {
   with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     const Four ratio = all_four<Four>(direction.ratio());
-    push_all<Four>([&](Row & row, bool) __attribute__((always_inline)) {
-      const Four more = ratio * lanes<Four>(row.search), impulse = lanes<Four>(row.impulse);
-      const Four search =
-          direction.is_shorter() ? more + impulse - lanes<Four>(row.before) : all_four<Four>(0);
-      store_four(row.search.data(), search);
-      store_four(row.impulse.data(), impulse + more);
-      store_four(row.before.data(), impulse + more);
-      return more;
-    });
+    push_all<Four>(
+        part, [&](Row & row, bool) __attribute__((always_inline)) {
+          const Four more = ratio * lanes<Four>(row.search), impulse = lanes<Four>(row.impulse);
+          const Four search =
+              direction.is_shorter() ? more + impulse - lanes<Four>(row.before) : all_four<Four>(0);
+          store_four(row.search.data(), search);
+          store_four(row.impulse.data(), impulse + more);
+          store_four(row.before.data(), impulse + more);
+          return more;
+        });
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "world/hard_contact/conjugate_direction.h"
 #include "world/hard_contact/impulse_problem.h"
@@ -14,35 +15,43 @@ using OfFour = std::array<double, 4>;
 /// The contacts of an impulse problem in groups of four, for sweeps of projected Gauss-Seidel in SIMD lanes.
 /// No block that impulses move has two contacts in a group. Each lane goes through a quarter of the contacts,
 /// nearly in their order: so a sweep carries impulses along a row of blocks as far as it would with one
-/// contact at a time, which a sweep by colours (Catto 2024) does not. The groups do not depend on the
-/// machine's lanes.
+/// contact at a time, which a sweep by colours (Catto 2024) does not. A group has contacts of one island. The
+/// groups do not depend on the machine's lanes.
 template <int D>
 class ContactGroups {
  public:
   explicit ContactGroups(Memory* memory)
-      : groups_(memory), rows_(memory), motions_(memory), is_placed_(memory) {}
+      : groups_(memory), rows_(memory), islands_(memory), motions_(memory), is_placed_(memory) {}
+
+  /// The groups of an island, or all, and their rows.
+  struct Part {
+    std::size_t first_group, end_group;
+    std::size_t first_row, end_row;
+  };
 
   /// Makes the groups of these contacts, and takes the memory for problems of the same contacts.
   void arrange(const ImpulseProblem<D>& problem);
   /// Copies a problem of the contacts that were arranged, with its motions and impulses.
   void take(const ImpulseProblem<D>& problem);
   /// Copies the motions and impulses of the same problem anew.
-  void renew(const ImpulseProblem<D>& problem);
+  void renew(const Part& part, const ImpulseProblem<D>& problem);
   /// Copies motions and impulses back.
-  void give(ImpulseProblem<D>& problem) const;
+  void give(const Part& part, ImpulseProblem<D>& problem) const;
+  const Part& island(std::size_t number) const { return islands_[number]; }
+  Part all() const { return {0, groups_.size(), 0, rows_.size()}; }
 
   /// Adds the present impulses to the motions. Returns the largest velocity by a normal one.
-  double begin();
+  double begin(const Part& part);
   /// Returns the largest change, as a velocity.
-  double sweep(bool is_backwards);
+  double sweep(const Part& part, bool is_backwards);
   /// The largest velocity that one projection of a contact alone would change.
-  double unbalanced();
+  double unbalanced(const Part& part);
 
   // Acceleration by conjugate directions.
-  void restart_acceleration();
+  void restart_acceleration(const Part& part);
   /// The change of the impulses since the last acceleration, in the metric of the inverse masses.
-  double squared_change() const;
-  void accelerate(const ConjugateDirection& direction);
+  double squared_change(const Part& part) const;
+  void accelerate(const Part& part, const ConjugateDirection& direction);
 
   BlockMotion<D> motion(std::size_t block) const;
   void set_motion(std::size_t block, const BlockMotion<D>& motion);
@@ -84,21 +93,22 @@ class ContactGroups {
 
   /// The contacts that a lane has still to go through.
   struct Lane {
-    std::int32_t next;
-    std::int32_t end;
+    const std::int32_t* next;
+    const std::int32_t* end;
   };
+  std::size_t arrange(const ImpulseProblem<D>& problem, std::span<const std::int32_t> contacts);
   std::int32_t next_of(const Lane& lane, const ImpulseProblem<D>& problem, const Group& group) const;
   static bool shares_block(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem,
                            const Group& group);
   void fill(const ImpulseProblem<D>& problem, Group& group);
   template <class Four, class ImpulseOf>
-  [[gnu::always_inline]] void push_all(ImpulseOf impulse_of);
+  [[gnu::always_inline]] void push_all(const Part& part, ImpulseOf impulse_of);
   template <class Four, bool changes>
   [[gnu::always_inline]] double visit(Group& group);
   /// Calls `visit(contact, lane, first normal row, first friction row)`.
   template <class Visit>
-  void for_each_contact(Visit visit) const {
-    for (const Group& group : groups_) {
+  void for_each_contact(const Part& part, Visit visit) const {
+    for (const Group& group : groups_of(part)) {
       for (std::size_t lane = 0; lane < 4; ++lane) {
         if (group.contact[lane] >= 0)
           visit(std::size_t(group.contact[lane]), lane, std::size_t(group.first_row),
@@ -106,10 +116,22 @@ class ContactGroups {
       }
     }
   }
-  void set_motions(const ImpulseProblem<D>& problem);
+  std::span<const Group> groups_of(const Part& part) const {
+    return {groups_.data() + part.first_group, part.end_group - part.first_group};
+  }
+  std::span<Group> groups_of(const Part& part) {
+    return {groups_.data() + part.first_group, part.end_group - part.first_group};
+  }
+  std::span<const Row> rows_of(const Part& part) const {
+    return {rows_.data() + part.first_row, part.end_row - part.first_row};
+  }
+  std::span<Row> rows_of(const Part& part) {
+    return {rows_.data() + part.first_row, part.end_row - part.first_row};
+  }
 
   Array<Group> groups_;
   Array<Row> rows_;
+  Array<Part> islands_;
   Array<double> motions_;          // of each block, and of one more, which lanes without a contact have
   Array<std::uint8_t> is_placed_;  // each contact, while they are arranged
 };

@@ -31,7 +31,8 @@ std::int32_t ContactGroups<D>::next_of(const Lane& lane, const ImpulseProblem<D>
                                        const Group& group) const {
   std::int32_t first = -1;
   int left = contacts_ahead;
-  for (std::int32_t c = lane.next; c < lane.end && left > 0; ++c) {
+  for (const std::int32_t* at = lane.next; at != lane.end && left > 0; ++at) {
+    const std::int32_t c = *at;
     if (is_placed_[std::size_t(c)]) continue;
     --left;
     const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
@@ -57,12 +58,27 @@ bool ContactGroups<D>::shares_block(const ImpulseContact<D>& contact, const Impu
 
 template <int D>
 void ContactGroups<D>::arrange(const ImpulseProblem<D>& problem) {
-  const std::size_t count = problem.contacts.size();
-  is_placed_.assign(count, 0);
+  is_placed_.assign(problem.contacts.size(), 0);
   groups_.clear();
+  islands_.clear();
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < problem.islands.count(); ++i) {
+    const std::size_t first = groups_.size();
+    rows += arrange(problem, problem.islands.contacts_of(i));
+    islands_.push_back({first, groups_.size(), 0, 0});
+  }
+  rows_.reserve(rows);
+  motions_.reserve(stride * (problem.motions.size() + 1));
+}
+
+/// Those of an island. Returns the most rows that the groups may have.
+template <int D>
+std::size_t ContactGroups<D>::arrange(const ImpulseProblem<D>& problem,
+                                      std::span<const std::int32_t> contacts) {
+  const std::size_t count = contacts.size();
   Lane lanes[4];
   for (std::size_t k = 0; k < 4; ++k)
-    lanes[k] = {std::int32_t(k * count / 4), std::int32_t((k + 1) * count / 4)};
+    lanes[k] = {contacts.data() + k * count / 4, contacts.data() + (k + 1) * count / 4};
   std::size_t rows = 0;
   for (std::size_t placed = 0; placed < count;) {
     Group group{};
@@ -74,13 +90,12 @@ void ContactGroups<D>::arrange(const ImpulseProblem<D>& problem) {
       group.normal_count = std::max(group.normal_count, problem.contacts[std::size_t(c)].normal_count);
       is_placed_[std::size_t(c)] = 1;
       ++placed;
-      while (lanes[k].next < lanes[k].end && is_placed_[std::size_t(lanes[k].next)]) ++lanes[k].next;
+      while (lanes[k].next != lanes[k].end && is_placed_[std::size_t(*lanes[k].next)]) ++lanes[k].next;
     }
     rows += std::size_t(group.normal_count) + max_friction_rows<D>;
     groups_.push_back(group);
   }
-  rows_.reserve(rows);
-  motions_.reserve(stride * (problem.motions.size() + 1));
+  return rows;
 }
 
 template <int D>
@@ -125,12 +140,13 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
   }
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                           \
-  template std::int32_t ContactGroups<D>::next_of(const Lane&, const ImpulseProblem<D>&, const Group&) \
-      const;                                                                                           \
-  template bool ContactGroups<D>::shares_block(const ImpulseContact<D>&, const ImpulseProblem<D>&,     \
-                                               const Group&);                                          \
-  template void ContactGroups<D>::arrange(const ImpulseProblem<D>&);                                   \
+#define HALFSPACE_MEMBERS(D)                                                                               \
+  template std::int32_t ContactGroups<D>::next_of(const Lane&, const ImpulseProblem<D>&, const Group&)     \
+      const;                                                                                               \
+  template bool ContactGroups<D>::shares_block(const ImpulseContact<D>&, const ImpulseProblem<D>&,         \
+                                               const Group&);                                              \
+  template void ContactGroups<D>::arrange(const ImpulseProblem<D>&);                                       \
+  template std::size_t ContactGroups<D>::arrange(const ImpulseProblem<D>&, std::span<const std::int32_t>); \
   template void ContactGroups<D>::fill(const ImpulseProblem<D>&, Group&);
 
 HALFSPACE_MEMBERS(2)

@@ -8,6 +8,7 @@
 
 #include "block/inertia.h"
 #include "geometry/vector.h"
+#include "world/hard_contact/contact_islands.h"
 #include "world/hard_contact/slip_reversal.h"
 #include "world/motion/block_motion.h"
 
@@ -64,6 +65,9 @@ struct ImpulseContact {
   double inverse_mass_a;
   double inverse_mass_b;
   double tan_friction;
+
+  /// A block that impulses move, where there is any.
+  std::int32_t free_block() const { return inverse_mass_a > 0 ? a : b; }
 };
 
 /// A velocity problem with unilateral contacts and Coulomb friction: find impulses with u >= target, p >= 0
@@ -72,10 +76,40 @@ struct ImpulseContact {
 template <int D>
 struct ImpulseProblem {
   explicit ImpulseProblem(Memory* memory)
-      : contacts(memory), rows(memory), start(memory), motions(memory), inverse_masses(memory) {}
+      : contacts(memory),
+        islands(memory),
+        rows(memory),
+        start(memory),
+        motions(memory),
+        inverse_masses(memory),
+        is_slow(memory) {}
+
+  /// After contacts have changed.
+  void find_islands() { islands.find(contacts, motions.size()); }
 
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
+  }
+  /// Are all blocks of an island slow, and those that it touches?
+  bool all_slow(std::size_t island) const {
+    const std::span<const std::int32_t> of_island = islands.contacts_of(island);
+    return std::all_of(of_island.begin(), of_island.end(), [&](std::int32_t c) {
+      const ImpulseContact<D>& contact = contacts[std::size_t(c)];
+      return is_slow[std::size_t(contact.a)] && is_slow[std::size_t(contact.b)];
+    });
+  }
+  /// Do the blocks of most of its contacts move faster against each other than this, if it is above 0, at the
+  /// beginning?
+  bool most_slip(std::size_t island, double speed) const {
+    const std::span<const std::int32_t> of_island = islands.contacts_of(island);
+    const auto fast = std::count_if(of_island.begin(), of_island.end(), [&](std::int32_t c) {
+      const ImpulseContact<D>& contact = contacts[std::size_t(c)];
+      const BlockMotion<D>&a = start[std::size_t(contact.a)], &b = start[std::size_t(contact.b)];
+      const std::span<const ImpulseRow<D>> of_contact = rows_of(contact);
+      return std::any_of(of_contact.begin(), of_contact.end(),
+                         [&](const ImpulseRow<D>& row) { return std::abs(row.velocity(a, b)) > speed; });
+    });
+    return speed > 0 && 2 * std::size_t(fast) > of_island.size();
   }
   bool can_move(const ImpulseContact<D>& contact) const {
     return contact.inverse_mass_a > 0 || contact.inverse_mass_b > 0;
@@ -140,6 +174,9 @@ struct ImpulseProblem {
   std::span<ImpulseRow<D>> frictions_of(const ImpulseContact<D>& contact) {
     return {rows.data() + contact.first_row + contact.normal_count, std::size_t(contact.friction_count)};
   }
+  std::span<ImpulseRow<D>> rows_of(const ImpulseContact<D>& contact) {
+    return {rows.data() + contact.first_row, std::size_t(contact.normal_count + contact.friction_count)};
+  }
   std::span<const ImpulseRow<D>> rows_of(const ImpulseContact<D>& contact) const {
     return {rows.data() + contact.first_row, std::size_t(contact.normal_count + contact.friction_count)};
   }
@@ -168,10 +205,12 @@ struct ImpulseProblem {
 
   double slow_slip = 0;  // m/s: slower slip is stopped, and its reversal is not followed
   Array<ImpulseContact<D>> contacts;
+  ContactIslands islands;
   Array<ImpulseRow<D>> rows;
   Array<BlockMotion<D>> start;           // of each block, at the beginning of the half step
   Array<BlockMotion<D>> motions;         // with the impulses
   Array<InverseMass<D>> inverse_masses;  // of each block
+  Array<std::uint8_t> is_slow;           // each block: it may stand
 };
 
 /// The most rows that the contacts of a problem may have: a patch has a couple only where it has some size.

@@ -13,7 +13,8 @@ constexpr int first_sweeps = 4;
 /// Where active sets are tried: the cap of the settings never lets a structure fall.
 constexpr int max_sweeps = 200;
 
-/// A lower cap does not pause active sets that help: so few sweeps between them would not hold a structure.
+/// A lower cap neither ends sweeps after sets that fail nor pauses sets that help: so few sweeps would not
+/// hold a structure.
 constexpr int few_sweeps = 20;
 
 /// Active sets do not settle while sweeps change velocities by more than this fraction of what gravity does.
@@ -23,6 +24,9 @@ constexpr double quiet_fraction = 0.5;
 /// was.
 constexpr double helpful_fraction = 0.1;
 
+/// Blocks move past each other where they are faster than this fraction of what gravity does in a step.
+constexpr double slip_fraction = 0.1;
+
 }  // namespace
 
 template <int D>
@@ -30,6 +34,7 @@ void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
   const std::size_t rows = most_rows(problem), blocks = problem.motions.size();
   active_set_.reserve(rows, blocks);
   groups_.arrange(problem);
+  pauses_.resize(blocks);
   start_.reserve(rows);
   start_motions_.reserve(blocks);
 }
@@ -37,81 +42,130 @@ void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
 template <int D>
 bool ImpulseSolver<D>::is_solved(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
   groups_.take(problem);
-  const double fastest = groups_.begin();
-  if (!(fastest > 0 && groups_.unbalanced() <= settings.tolerance_for(fastest))) return false;
-  groups_.give(problem);
+  const Part all = groups_.all();
+  const double fastest = groups_.begin(all);
+  if (!(fastest > 0 && groups_.unbalanced(all) <= settings.of_rest().tolerance_for(fastest))) return false;
+  groups_.give(all, problem);
   return true;
 }
 
 /// Active sets that leave much unbalanced are dropped. The next sweeps would not mend them.
 template <int D>
-bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful,
-                                         double& unbalanced, bool is_cold) {
-  groups_.give(problem);
-  const double left = active_set_.solve(problem, tolerance, is_cold);
+bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, std::size_t island, double tolerance,
+                                         double helpful, double& unbalanced, bool is_cold) {
+  groups_.give(groups_.island(island), problem);
+  const double left = active_set_.solve(problem, island, tolerance, is_cold);
   if (!(left <= std::max(helpful, tolerance))) return false;
-  groups_.renew(problem);
-  restart_acceleration();
+  groups_.renew(groups_.island(island), problem);
+  restart_acceleration(groups_.island(island));
   unbalanced = left;
   return true;
 }
 
 template <int D>
 ImpulseResult ImpulseSolver<D>::solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings) {
-  const bool is_in_motion = pause_.length > 0, uses_active_sets = pause_.ends_now();
   groups_.take(problem);
-  double fastest = groups_.begin();
+  ImpulseResult all;
+  for (std::size_t island = 0; island < problem.islands.count(); ++island)
+    all.add(solve_island(problem, island, settings));
+  groups_.give(groups_.all(), problem);
+  return all;
+}
+
+/// Where all blocks are slow they may stand: a large tolerance would hold those that ought to slide. Where
+/// most of them move past each other, sets that have failed come after the sweeps and rarely: they cost as
+/// much, and are soon those of another place.
+template <int D>
+ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::size_t island,
+                                             const ImpulseSettings& of_motion) {
+  const ImpulseSettings settings = problem.all_slow(island) ? of_motion.of_rest() : of_motion;
+  const Part groups = groups_.island(island);
+  SolverPause pause = pause_of(problem, island);
+  const bool is_in_motion = pause.length > 0, uses_active_sets = pause.ends_now();
+  const bool slips = is_in_motion && problem.most_slip(island, slip_fraction * settings.speed);
+  double fastest = groups_.begin(groups);
   conjugate_ = {};
   ImpulseResult result;
-  if (fastest == 0 && uses_active_sets)
-    solve_active_sets(problem, settings.tolerance * settings.speed, HUGE_VAL, result.unbalanced, true);
+  if (fastest == 0 && uses_active_sets) {
+    solve_active_sets(problem, island, settings.tolerance * settings.speed, HUGE_VAL, result.unbalanced,
+                      true);
+  }
   Stall stall;
-  int wait = first_sweeps, next_active_set = wait;
+  int wait = slips ? settings.sweeps_in_motion() : first_sweeps, next_active_set = wait;
   bool have_sets_helped = false;
   bool is_symmetric = false;  // since the last acceleration: as many sweeps forwards as backwards
   for (int i = 1; i <= std::max(max_sweeps, settings.max_iterations); ++i) {
     const bool is_backwards = i % 2 == 0;
-    if (is_symmetric) accelerate();
+    if (is_symmetric) accelerate(groups);
     is_symmetric = is_backwards;
     result.iterations = i;
-    result.unbalanced = groups_.sweep(is_backwards);
+    result.unbalanced = groups_.sweep(groups, is_backwards);
     fastest = std::max(fastest, result.unbalanced);
     const double tolerance = settings.tolerance_for(fastest);
     result.has_converged = result.unbalanced <= tolerance;
     if (result.has_converged) break;
     const bool is_quiet = result.unbalanced <= quiet_fraction * settings.scale(fastest);
     const bool may_try_sets = uses_active_sets && is_quiet;
-    if (is_in_motion && !may_try_sets && i >= settings.sweeps_in_motion(is_quiet)) break;
+    if (is_in_motion && !may_try_sets && i >= settings.sweeps_in_motion()) break;
     if (may_try_sets && i >= next_active_set) {
       const double before = result.unbalanced, helpful = helpful_fraction * settings.scale(fastest);
-      if (solve_active_sets(problem, tolerance, helpful, result.unbalanced, false)) {
+      if (solve_active_sets(problem, island, tolerance, helpful, result.unbalanced, false)) {
         have_sets_helped = true;
         is_symmetric = false;
-        if (result.unbalanced <= tolerance) {
-          pause_ = {};
-          return {i, result.unbalanced, true};
-        }
+        result.has_converged = result.unbalanced <= tolerance;
+        if (result.has_converged) break;
       }
+      if (slips) break;
       wait = result.unbalanced < helpful_fraction * before ? first_sweeps : 2 * wait;
       next_active_set = i + wait;
     }
     if (stall.is_reached(result.unbalanced)) break;
   }
-  groups_.give(problem);
-  const bool may_pause = is_in_motion || !have_sets_helped || settings.max_iterations >= few_sweeps;
-  if (!result.has_converged && uses_active_sets && may_pause) pause_.begin_longer();
+  const bool are_sets_of_use = have_sets_helped && !slips;
+  if (are_sets_of_use && result.has_converged) pause = {};
+  const bool may_pause = is_in_motion || !are_sets_of_use || settings.max_iterations >= few_sweeps;
+  const bool is_without_use = !result.has_converged || (slips && have_sets_helped);
+  if (uses_active_sets && is_without_use && may_pause) pause.begin_longer();
+  set_pause(problem, island, pause);
   return result;
+}
+
+/// The longest of its blocks', which may have been in different islands: sets fail where they fail for a
+/// part.
+template <int D>
+SolverPause ImpulseSolver<D>::pause_of(const ImpulseProblem<D>& problem, std::size_t island) const {
+  SolverPause longest;
+  for (const std::int32_t c : problem.islands.contacts_of(island)) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
+    for (const std::int32_t block : {contact.a, contact.b}) {
+      const SolverPause& pause = pauses_[std::size_t(block)];
+      if (problem.inverse_masses[std::size_t(block)].of_mass > 0 && longest.length < pause.length)
+        longest = pause;
+    }
+  }
+  return longest;
+}
+
+template <int D>
+void ImpulseSolver<D>::set_pause(const ImpulseProblem<D>& problem, std::size_t island,
+                                 const SolverPause& pause) {
+  for (const std::int32_t c : problem.islands.contacts_of(island)) {
+    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
+    if (contact.inverse_mass_a > 0) pauses_[std::size_t(contact.a)] = pause;
+    if (contact.inverse_mass_b > 0) pauses_[std::size_t(contact.b)] = pause;
+  }
 }
 
 template <int D>
 void ImpulseSolver<D>::sweep_only(ImpulseProblem<D>& problem, int count) {
   groups_.take(problem);
-  restart_acceleration();
+  const Part all = groups_.all();
+  restart_acceleration(all);
   for (int i = 1; i <= count; ++i) {
-    groups_.sweep(i % 2 == 0);
-    if (i % 2 == 0 && i < count) accelerate();
+    groups_.sweep(all, i % 2 == 0);
+    if (i % 2 == 0 && i < count) accelerate(all);
   }
-  groups_.give(problem);
+  groups_.give(all, problem);
 }
 
 template class ImpulseSolver<2>;

@@ -12,9 +12,12 @@
 namespace halfspace {
 
 struct ImpulseSettings {
-  double tolerance = 1e-6;  // velocity that may remain unbalanced, over `speed`
-  double speed = 0;         // m/s, of gravity over the step
+  double tolerance = 1e-6;          // velocity that may remain unbalanced, over `speed`
+  double tolerance_of_rest = 1e-6;  // the same where all blocks are slow
+  double speed = 0;                 // m/s, of gravity over the step
   int max_iterations = 200;
+
+  ImpulseSettings of_rest() const { return {tolerance_of_rest, tolerance_of_rest, speed, max_iterations}; }
 
   /// The velocity that others are compared with: of gravity or else the largest one by an impulse.
   double scale(double fastest) const { return speed > 0 ? speed : fastest; }
@@ -26,9 +29,9 @@ struct ImpulseSettings {
   /// Sweeps where active sets do not settle, since blocks move past each other. While gravity makes as much
   /// anew in each step, the next ones find what these leave: in a heap that is less by the cube of the
   /// sweeps.
-  int sweeps_in_motion(bool is_quiet) const {
+  int sweeps_in_motion() const {
     constexpr double least = 4;
-    if (!is_quiet || speed == 0) return max_iterations;
+    if (speed == 0) return max_iterations;
     return int(std::min(double(max_iterations), std::max(least, std::round(2 / std::cbrt(tolerance)))));
   }
 };
@@ -38,10 +41,18 @@ struct ImpulseResult {
   double unbalanced = 0;  // m/s, the largest velocity that the last iteration changed
   bool has_converged = true;
   double fastest = 0;  // m/s, the largest velocity by an impulse
+
+  /// Takes that of another island, too.
+  void add(const ImpulseResult& other) {
+    iterations = std::max(iterations, other.iterations);
+    unbalanced = std::max(unbalanced, other.unbalanced);
+    has_converged = has_converged && other.has_converged;
+    fastest = std::max(fastest, other.fastest);
+  }
 };
 
-/// Active sets do not settle where many blocks move past each other. They are then tried in one solve out of
-/// 2, 4, up to 64.
+/// Active sets do not settle where many blocks move past each other. They are then tried in one solve of an
+/// island out of 2, 4, up to 64.
 struct SolverPause {
   static constexpr std::int32_t max_length = 63;
 
@@ -62,14 +73,14 @@ struct SolverPause {
   std::int32_t left = 0;    // of these still to come
 };
 
-/// Solves impulse problems from a warm start by sweeps of projected Gauss-Seidel (NLGS, Jean 1999),
-/// accelerated by nonsmooth conjugate gradients, and by active sets, which solve stacks and walls exactly in
-/// a few factorizations.
+/// Solves impulse problems, island by island, from a warm start by sweeps of projected Gauss-Seidel (NLGS,
+/// Jean 1999), accelerated by nonsmooth conjugate gradients, and by active sets, which solve stacks and walls
+/// exactly in a few factorizations.
 template <int D>
 class ImpulseSolver {
  public:
   explicit ImpulseSolver(Memory* memory)
-      : active_set_(memory), groups_(memory), start_(memory), start_motions_(memory) {}
+      : active_set_(memory), groups_(memory), pauses_(memory), start_(memory), start_motions_(memory) {}
 
   /// Takes the memory of problems of these contacts, with these rows or other friction rows.
   void reserve(const ImpulseProblem<D>& problem);
@@ -78,8 +89,9 @@ class ImpulseSolver {
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
 
-  const SolverPause& pause() const { return pause_; }
-  void set_pause(const SolverPause& pause) { pause_ = pause; }
+  /// Of each block.
+  const Array<SolverPause>& pauses() const { return pauses_; }
+  void set_pauses(const Array<SolverPause>& pauses) { pauses_.assign(pauses.begin(), pauses.end()); }
   /// So many sweeps only; the problem's motions contain its impulses.
   void sweep_only(ImpulseProblem<D>& problem, int count);
   /// Asks after so many sweeps more, and returns to the impulses before them.
@@ -97,23 +109,28 @@ class ImpulseSolver {
 
  private:
   /// True if they help; then they replace the impulses.
-  bool solve_active_sets(ImpulseProblem<D>& problem, double tolerance, double helpful, double& unbalanced,
-                         bool is_cold);
-  void restart_acceleration() {
+  bool solve_active_sets(ImpulseProblem<D>& problem, std::size_t island, double tolerance, double helpful,
+                         double& unbalanced, bool is_cold);
+  ImpulseResult solve_island(ImpulseProblem<D>& problem, std::size_t island,
+                             const ImpulseSettings& of_motion);
+  SolverPause pause_of(const ImpulseProblem<D>& problem, std::size_t island) const;
+  void set_pause(const ImpulseProblem<D>& problem, std::size_t island, const SolverPause& pause);
+  using Part = typename ContactGroups<D>::Part;
+  void restart_acceleration(const Part& part) {
     conjugate_ = {};
-    groups_.restart_acceleration();
+    groups_.restart_acceleration(part);
   }
-  void accelerate() {
-    conjugate_.update(groups_.squared_change());
-    groups_.accelerate(conjugate_);
+  void accelerate(const Part& part) {
+    conjugate_.update(groups_.squared_change(part));
+    groups_.accelerate(part, conjugate_);
   }
 
   ActiveSet<D> active_set_;
   ContactGroups<D> groups_;
-  Array<double> start_;  // of ask_after_sweeps()
+  Array<SolverPause> pauses_;  // of each block
+  Array<double> start_;        // of ask_after_sweeps()
   Array<BlockMotion<D>> start_motions_;
   ConjugateDirection conjugate_;
-  SolverPause pause_;
 };
 
 extern template class ImpulseSolver<2>;

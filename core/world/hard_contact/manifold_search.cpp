@@ -51,9 +51,11 @@ double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
   return std::max(settled_fraction * smaller_radius(contact), reach(contact));
 }
 
+/// After its last rebound a block falls to the face.
 template <int D>
 double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
-  return resting_fraction * smaller_radius(contact);
+  const bool rebounds = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution > 0;
+  return rebounds ? settled_gap(contact) : resting_fraction * smaller_radius(contact);
 }
 
 /// Two blocks have contacts of impulses when one of them moves freely and is awake.

@@ -41,7 +41,7 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
   };
   ConstraintSweeps<D> sweeps(points, changes);
   groups_.take(problem);
-  double fastest = groups_.begin();
+  double fastest = groups_.begin(groups_.all());
   tell_points();
   fastest = std::max(fastest, sweeps.begin());
   tell_manifolds();
@@ -56,7 +56,7 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
       tell_manifolds();
     };
     if (!is_forwards) sweep_points();
-    of_manifolds_ = groups_.sweep(!is_forwards);
+    of_manifolds_ = groups_.sweep(groups_.all(), !is_forwards);
     tell_points();
     if (is_forwards) sweep_points();
     const double changed = std::max(of_manifolds_, of_points);
@@ -64,13 +64,13 @@ ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<Contac
     result = {i, changed, changed <= settings.tolerance_for(fastest), fastest};
     if (is_balanced(result) || stall.is_reached(changed)) break;
     if (!is_forwards) continue;
-    direction.update(groups_.squared_change() + sweeps.squared_change());
-    groups_.accelerate(direction);
+    direction.update(groups_.squared_change(groups_.all()) + sweeps.squared_change());
+    groups_.accelerate(groups_.all(), direction);
     tell_points();
     sweeps.accelerate(direction);
     tell_manifolds();
   }
-  groups_.give(problem);
+  groups_.give(groups_.all(), problem);
   return result;
 }
 

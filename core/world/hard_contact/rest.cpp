@@ -45,6 +45,15 @@ void Rest<D>::repeat() {
 }
 
 template <int D>
+void Rest<D>::note_slow(double speed, Array<std::uint8_t>& slow) const {
+  slow.assign(blocks_.slot_count(), true);
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
+    if (blocks_.lives(i) && blocks_.moves(i) && !integrator_.is_asleep(i))
+      slow[i] = speed > 0 && is_slow(i, {blocks_.velocity[i], blocks_.spin[i]}, speed);
+  }
+}
+
+template <int D>
 bool Rest<D>::may_hold_all(Half half, double speed) const {
   if (half == Half::second) return is_repeated_[0];
   return speed > 0 && for_all_movers([&](std::size_t i) {
@@ -69,50 +78,43 @@ bool Rest<D>::is_guided(std::size_t i) const {
 }
 
 template <int D>
-void Rest<D>::find_islands(ImpulseProblem<D>& problem, double speed) {
+void Rest<D>::find_standing(ImpulseProblem<D>& problem, double speed) {
   const std::int32_t all_that_stays = std::int32_t(problem.motions.size());
-  islands_.begin(problem.motions.size());
   stuck_.begin(problem.motions.size() + 1);
-  moves_.assign(problem.motions.size(), 0);
+  moves_.assign(problem.islands.count(), 0);
   const auto moves = [&](std::int32_t block) {
     return problem.inverse_masses[std::size_t(block)].of_mass > 0;
   };
   for (const ImpulseContact<D>& contact : problem.contacts) {
-    if (moves(contact.a) && moves(contact.b)) islands_.join(contact.a, contact.b);
     if (problem.sticks(contact))
       stuck_.join(moves(contact.a) ? contact.a : all_that_stays,
                   moves(contact.b) ? contact.b : all_that_stays);
   }
-  const auto move_island_of = [&](std::int32_t block) {
-    moves_[std::size_t(islands_.head_of(block))] = true;
-  };
-  for (const ImpulseContact<D>& contact : problem.contacts) {
-    if (is_slow(contact, problem, speed)) continue;
-    move_island_of(contact.a);
-    move_island_of(contact.b);
-  }
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    moves_[problem.islands.of_contact(c)] |= !is_slow(problem.contacts[c], problem, speed);
   for (std::int32_t i = 0; i < std::int32_t(blocks_.moving_end()); ++i) {
-    if (moves(i) && (stuck_.head_of(i) != stuck_.head_of(all_that_stays) || is_guided(std::size_t(i))))
-      move_island_of(i);
+    const std::int32_t island = moves(i) ? problem.islands.of_block(i) : -1;
+    if (island >= 0 && (stuck_.head_of(i) != stuck_.head_of(all_that_stays) || is_guided(std::size_t(i))))
+      moves_[std::size_t(island)] = true;
   }
 }
 
 template <int D>
-bool Rest<D>::all_stand(const ImpulseProblem<D>& problem, double speed) {
+bool Rest<D>::all_stand(ImpulseProblem<D>& problem, double speed) {
   return for_all_movers([&](std::size_t i) {
-    return blocks_.kind[i] == BlockKind::rigid ? stands(i) : is_slow(i, problem.motions[i], speed);
+    return blocks_.kind[i] == BlockKind::rigid ? stands(problem, i) : is_slow(i, problem.motions[i], speed);
   });
 }
 
 template <int D>
-void Rest<D>::hold_standing(Half half, const ImpulseProblem<D>& problem) {
+void Rest<D>::hold_standing(Half half, ImpulseProblem<D>& problem) {
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
-    if (problem.inverse_masses[i].of_mass > 0 && stands(i)) integrator_.hold(i, half == Half::first);
+    if (problem.inverse_masses[i].of_mass > 0 && stands(problem, i)) integrator_.hold(i, half == Half::first);
 }
 
 template <int D>
 bool Rest<D>::hold_all(Half half, ImpulseProblem<D>& problem, double speed) {
-  find_islands(problem, speed);
+  find_standing(problem, speed);
   if (!all_stand(problem, speed)) return false;
   hold_standing(half, problem);
   holds_all_[std::size_t(half)] = is_repeated_[std::size_t(half)] = true;
@@ -126,7 +128,7 @@ void Rest<D>::hold_islands(Half half, ImpulseProblem<D>& problem, double speed) 
     return is_slow(contact, problem, speed);
   };
   if (!(speed > 0) || std::none_of(problem.contacts.begin(), problem.contacts.end(), is_slow_contact)) return;
-  find_islands(problem, speed);
+  find_standing(problem, speed);
   hold_standing(half, problem);
   holds_all_[std::size_t(half)] = all_stand(problem, speed);
 }

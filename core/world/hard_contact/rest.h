@@ -21,12 +21,7 @@ template <int D>
 class Rest {
  public:
   Rest(const Model<D>& model, Integrator<D>& integrator, Memory* memory)
-      : model_(model),
-        blocks_(model.blocks),
-        integrator_(integrator),
-        islands_(memory),
-        stuck_(memory),
-        moves_(memory) {}
+      : model_(model), blocks_(model.blocks), integrator_(integrator), stuck_(memory), moves_(memory) {}
 
   /// Is the coming motion of this duration the last one again?
   bool lasts(double duration) const;
@@ -36,6 +31,8 @@ class Rest {
   // The stages of a motion that is computed.
   /// No half has been solved, or a block has been moved after all.
   void begin() { holds_all_ = is_repeated_ = {false, false}; }
+  /// Notes which blocks are no faster than this.
+  void note_slow(double speed, Array<std::uint8_t>& is_slow) const;
   /// Has no block been faster than this so far?
   bool may_hold_all(Half half, double speed) const;
   /// Do all blocks stand, none faster than this in the problem, whose motions contain the impulses? Then
@@ -54,7 +51,6 @@ class Rest {
   void forget() { lasts_ = false; }
 
   void reserve(std::size_t blocks) {
-    islands_.reserve(blocks);
     stuck_.reserve(blocks + 1);
     moves_.reserve(blocks);
   }
@@ -70,17 +66,19 @@ class Rest {
   bool is_slow(std::size_t block, const BlockMotion<D>& motion, double speed) const;
   bool is_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem, double speed) const;
   bool is_guided(std::size_t block) const;
-  void find_islands(ImpulseProblem<D>& problem, double speed);
-  bool stands(std::size_t block) { return !moves_[std::size_t(islands_.head_of(std::int32_t(block)))]; }
-  void hold_standing(Half half, const ImpulseProblem<D>& problem);
-  bool all_stand(const ImpulseProblem<D>& problem, double speed);
+  void find_standing(ImpulseProblem<D>& problem, double speed);
+  bool stands(ImpulseProblem<D>& problem, std::size_t block) const {
+    const std::int32_t island = problem.islands.of_block(std::int32_t(block));
+    return island >= 0 && !moves_[std::size_t(island)];
+  }
+  void hold_standing(Half half, ImpulseProblem<D>& problem);
+  bool all_stand(ImpulseProblem<D>& problem, double speed);
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
   Integrator<D>& integrator_;
-  Islands islands_;            // by all contacts
   Islands stuck_;              // by contacts that bear and stick; the last number is that of all that stays
-  Array<std::uint8_t> moves_;  // an island, at its head
+  Array<std::uint8_t> moves_;  // each island
   // By half of the motion: have all blocks been held, and by impulses that have not changed?
   std::array<bool, 2> holds_all_{}, is_repeated_{};
   std::int32_t lasts_ = 0;  // in the whole last motion impulses were repeated

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "world/hard_contact/island_work.h"
+#include "world/hard_contact/impulse_work.h"
 #include "world/hard_contact/manifold.h"
 #include "world/hard_contact/rebound_fraction.h"
 
@@ -55,10 +55,11 @@ struct PlannedContact : RigidContact<D> {
   std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched
   std::array<bool, max_manifold_points<D>> was_loaded{};     // in the last motion
   Vector<D> center = Vector<D>::Zero();                      // of friction, from the centroid of a
+  double impact_at = 0.5;  // fraction of the motion before the impact; half of it where none is
+  std::array<double, D - 1> friction_at{};  // likewise, of each row of its friction
   bool is_new = true;
   bool is_kept = false;   // the manifold is that of the last motion
   bool is_apart = false;  // at the motion's end
-  bool is_early = false;  // the impact is in the first half of the motion
   ImpulseWork work;       // in the half steps that are booked
   ReboundFraction fraction;
 

@@ -22,7 +22,7 @@ constexpr double first_tolerance_fraction = 0.5;
 constexpr double same_place_fraction = 0.05;
 
 /// Blocks are held only by impulses within this tolerance.
-constexpr double tolerance_of_rest = 1e-6;
+constexpr double largest_tolerance_of_rest = 1e-6;
 
 }  // namespace
 
@@ -65,7 +65,8 @@ void RigidContacts<D>::warm_start(double duration) {
 template <int D>
 ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const {
   const double fraction = half == Half::first ? first_tolerance_fraction : 1;
-  return {.tolerance = fraction * tolerance(),
+  return {.tolerance = fraction * model_.settings.impulse_tolerance,
+          .tolerance_of_rest = fraction * tolerance_of_rest(),
           .speed = duration * model_.settings.gravity.norm(),
           .max_iterations = model_.settings.max_impulse_iterations};
 }
@@ -76,12 +77,9 @@ std::optional<Jam> RigidContacts<D>::find_jam(Half half, double ratio) {
   return halfspace::find_jam(problem_, blocks_, free, 1 / changes().rate(), ratio);
 }
 
-/// A large tolerance would hold blocks that ought to slide. So where all are slow, impulses are found exactly
-/// enough to tell whether they stand.
 template <int D>
-double RigidContacts<D>::tolerance() const {
-  const double given = model_.settings.impulse_tolerance;
-  return are_all_slow_ ? std::min(given, tolerance_of_rest) : given;
+double RigidContacts<D>::tolerance_of_rest() const {
+  return std::min(model_.settings.impulse_tolerance, largest_tolerance_of_rest);
 }
 
 /// Slower blocks stand: several contacts of a block may each leave the tolerance unbalanced.
@@ -94,7 +92,7 @@ double RigidContacts<D>::standing_speed(double tolerance, double duration) const
 /// Do the impulses of the last motion hold all blocks?
 template <int D>
 bool RigidContacts<D>::stands(Half half, double duration) {
-  const double speed = standing_speed(tolerance(), duration);
+  const double speed = standing_speed(tolerance_of_rest(), duration);
   return !model_.may_have_points() && rest_.may_hold_all(half, speed) &&
          solver_.is_solved(problem_, settings_of(half, duration)) && rest_.hold_all(half, problem_, speed);
 }
@@ -111,8 +109,8 @@ bool RigidContacts<D>::solve(Half half, double duration) {
   }
   take_impulses(result);
   push();
-  if (tolerance() <= tolerance_of_rest && !model_.may_have_points())
-    rest_.hold_islands(half, problem_, standing_speed(tolerance(), duration));
+  if (!model_.may_have_points())
+    rest_.hold_islands(half, problem_, standing_speed(tolerance_of_rest(), duration));
   return result.has_converged;
 }
 
@@ -211,9 +209,8 @@ template <int D>
 void RigidContacts<D>::find(double duration) {
   next_unbalanced_velocity_ = 0;
   fraction_before_impact_ = 1;
-  are_all_slow_ =
-      rest_.may_hold_all(Half::first, standing_speed(model_.settings.impulse_tolerance, duration));
-  solver_.set_pause(pause_);
+  rest_.note_slow(standing_speed(model_.settings.impulse_tolerance, duration), problem_.is_slow);
+  solver_.set_pauses(pauses_);
   search_.find(duration, known_, planned_);
   for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
   warm_start(duration);
@@ -225,6 +222,7 @@ void RigidContacts<D>::build() {
   set_start(Half::first);
   rows_.build(planned_, problem_);
   set_motions(Half::first);
+  problem_.find_islands();
   problem_.rows.reserve(most_rows(problem_));
   solver_.reserve(problem_);
   rest_.reserve(blocks_.slot_count());
@@ -344,12 +342,24 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   std::erase_if(planned_, [](const PlannedContact<D>& contact) { return contact.is_apart; });
   rest_.end(duration, are_contacts_kept());
   replace_known(duration);
-  pause_ = solver_.pause();
+  keep_pauses();
   iterations_ += std::exchange(next_iterations_, 0);
   unbalanced_velocity_ = next_unbalanced_velocity_;
   planned_.clear();
   first_.contacts.clear();
   duration_ = duration;
+}
+
+/// Blocks that stand or have no contact begin anew. The velocities still lack the last impulses.
+template <int D>
+void RigidContacts<D>::keep_pauses() {
+  pauses_.assign(blocks_.moving_end(), {});
+  if (planned_.empty()) return;
+  for (std::size_t i = 0; i < pauses_.size(); ++i) {
+    const bool stands = (blocks_.velocity[i] + changes().of_block(i)).isZero(0) &&
+                        (blocks_.momentum[i] + changes().momentum(i)).isZero(0);
+    if (!stands && problem_.islands.of_block(std::int32_t(i)) >= 0) pauses_[i] = solver_.pauses()[i];
+  }
 }
 
 /// None is new, and none has ended.
@@ -435,8 +445,10 @@ bool RigidContacts<D>::is_consistent() const {
            is_finite(at.touched_at) && is_finite(at.impact_loss);
   };
   return touches_ >= 0 && iterations_ >= 0 && is_nonnegative(unbalanced_velocity_) &&
-         pause_.is_consistent() && rest_.is_consistent() && is_nonnegative(duration_) &&
-         halfspace::all(known_, is_valid) && std::is_sorted(known_.begin(), known_.end(), is_before<D>);
+         pauses_.size() <= blocks_.slot_count() &&
+         halfspace::all(pauses_, [](const SolverPause& pause) { return pause.is_consistent(); }) &&
+         rest_.is_consistent() && is_nonnegative(duration_) && halfspace::all(known_, is_valid) &&
+         std::is_sorted(known_.begin(), known_.end(), is_before<D>);
 }
 
 template class RigidContacts<2>;

@@ -2,7 +2,7 @@
 
 #include "world/hard_contact/impulse_rows.h"
 #include "world/hard_contact/impulse_solver.h"
-#include "world/hard_contact/island_work.h"
+#include "world/hard_contact/impulse_work.h"
 #include "world/hard_contact/jam.h"
 #include "world/hard_contact/rest.h"
 #include "world/ledger.h"
@@ -32,7 +32,9 @@ class RigidContacts {
         next_known_(memory),
         planned_(memory),
         first_(memory),
-        islands_(memory) {}
+        without_support_(memory),
+        pauses_(memory),
+        work_of_islands_(memory) {}
 
   /// Those at the end of the last motion, in order of their blocks.
   const Array<RigidContact<D>>& all() const { return known_; }
@@ -84,7 +86,8 @@ class RigidContacts {
     next_known_.reserve(planned_.size() + known_.size());
     first_.contacts.reserve(problem_.contacts.size());
     first_.rows.reserve(problem_.rows.size());
-    islands_.reserve(blocks_.slot_count());
+    work_of_islands_.reserve(problem_.islands.count());
+    pauses_.reserve(blocks_.slot_count());
   }
   /// Makes the impulse problem of the first half from the contacts found, with its motions.
   void build();
@@ -118,6 +121,7 @@ class RigidContacts {
 
   void forget(std::int32_t slot) {
     rest_.forget();
+    if (std::size_t(slot) < pauses_.size()) pauses_[std::size_t(slot)] = {};
     std::erase_if(known_,
                   [&](const RigidContact<D>& contact) { return contact.a == slot || contact.b == slot; });
   }
@@ -128,13 +132,13 @@ class RigidContacts {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(known_, duration_, touches_, iterations_, unbalanced_velocity_, pause_, rest_);
+    archive(known_, duration_, touches_, iterations_, unbalanced_velocity_, pauses_, rest_);
   }
 
  private:
   VelocityChange<D>& changes() const { return integrator_.kicks(); }
   void warm_start(double duration);
-  void add_other_changes();
+  void add_support();
   bool can_move(std::size_t slot) const {
     return blocks_.lives(slot) && blocks_.moves(slot) && !integrator_.is_asleep(slot);
   }
@@ -144,11 +148,12 @@ class RigidContacts {
   void set_start(Half half);
   bool turns(std::int32_t mover) const;
   void set_slip_targets(double duration);
-  double tolerance() const;
+  double tolerance_of_rest() const;
   double standing_speed(double tolerance, double duration) const;
   bool stands(Half half, double duration);
   void take_impulses(const ImpulseResult& result);
   double recover(std::span<const std::size_t> held_by_points);
+  void keep_pauses();
   bool are_contacts_kept() const;
   void replace_known(double duration);
   double twist_about_middle(const ImpulseContact<D>& of, const RigidContact<D>& contact);
@@ -158,6 +163,7 @@ class RigidContacts {
   void take_first_rows();
   void take_back_first_impulses();
   void set_rebounds();
+  bool match_times_of_impact();
   void set_targets();
   /// Calls `visit(row, impulse, is_normal)` for all impulses of a half step on a contact.
   template <class Visit>
@@ -176,14 +182,14 @@ class RigidContacts {
   ImpulseSolver<D> solver_;
   ImpulseProblem<D> problem_;
   Rest<D> rest_;
-  SolverPause pause_;  // after the last motion
   std::optional<Jam> jam_;
-  bool are_all_slow_ = false;  // at the beginning of the motion
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
   ImpulseProblem<D> first_;  // that of the first half step, in the second one of a motion with rebounds
-  IslandWork islands_;
+  Array<BlockMotion<D>> without_support_;
+  Array<SolverPause> pauses_;           // of each block, after the last motion
+  Array<ImpulseWork> work_of_islands_;  // in a motion with rebounds
   int rebound_trials_ = 0;
   double duration_ = 0;  // of the last motion
   // Losses by all impulses of a motion so far, J, and the sum of the magnitudes of their works.

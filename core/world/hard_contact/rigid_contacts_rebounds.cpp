@@ -2,18 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/hard_contact/rigid_contacts.h"
 
 namespace halfspace {
 namespace {
 
-constexpr int max_rebound_trials = 6;
+/// Trials of the times of impact, and of both these and restitution.
+constexpr int max_matches = 3, max_trials = 9;
 
+/// Times of impact are accurate to this fraction of a motion.
+constexpr double matched_fraction = 1e-3;
+
+/// Moves a row from where blocks are now to where they were between the start of the motion and now.
 template <int D>
-std::int32_t free_block_of(const ImpulseContact<D>& contact) {
-  return contact.inverse_mass_a > 0 ? contact.a : contact.b;
+void move_row(ImpulseRow<D>& row, const ImpulseRow<D>& at_start, double part) {
+  row.direction = (1 - part) * at_start.direction + part * row.direction;
+  row.turn_a = (1 - part) * at_start.turn_a + part * row.turn_a;
+  row.turn_b = (1 - part) * at_start.turn_b + part * row.turn_b;
 }
+
+/// The row along a direction, of rows along others.
+template <int D>
+ImpulseRow<D> row_along(const Vector<D>& direction, std::span<const ImpulseRow<D>> rows) {
+  ImpulseRow<D> along = rows.front();
+  along.direction.setZero();
+  along.turn_a.setZero();
+  along.turn_b.setZero();
+  for (const ImpulseRow<D>& row : rows) {
+    const double part = direction.dot(row.direction);
+    along.direction += part * row.direction;
+    along.turn_a += part * row.turn_a;
+    along.turn_b += part * row.turn_b;
+  }
+  return along;
+}
+
+/// The part of the motion after which impulses of these sizes would move blocks as the first did from then
+/// on.
+double part_before(double first, double whole) { return std::clamp(1 - first / whole, 0.0, 1.0); }
 
 }  // namespace
 
@@ -31,28 +59,32 @@ void RigidContacts<D>::keep_first_impulses() {
   first_.rows.assign(problem_.rows.begin(), problem_.rows.end());
 }
 
-/// An early impact has the arms of the motion's start. Inertias are those of now. Slip is not followed. Where
-/// blocks rest, the whole impulses are twice those of the first half step.
+/// The whole impulses of a contact act where its blocks were at the time of impact: angular momentum is kept
+/// when they and those of the first half step move blocks alike from then on. Where blocks rest, that is half
+/// of the motion. The couple of friction acts anywhere. Inertias are those of now. Slip is not followed.
 template <int D>
 void RigidContacts<D>::take_first_rows() {
   for (std::size_t c = 0; c < planned_.size(); ++c) {
-    const ImpulseContact<D>& contact = problem_.contacts[c];
+    const ImpulseContact<D>&contact = problem_.contacts[c], &first = first_.contacts[c];
     const InverseMass<D>&a = problem_.inverse_masses[std::size_t(contact.a)],
           &b = problem_.inverse_masses[std::size_t(contact.b)];
-    const ImpulseContact<D>& first = first_.contacts[c];
-    for (std::int32_t i = 0; i < first.normal_count + first.friction_count; ++i) {
-      first_.rows[std::size_t(first.first_row + i)].set_masses(a, b);
+    for (ImpulseRow<D>& row : first_.rows_of(first)) row.set_masses(a, b);
+    auto at_start = first_.normals_of(first).begin();
+    for (ImpulseRow<D>& row : problem_.normals_of(contact)) {
+      move_row(row, *at_start++, planned_[c].impact_at);
+      row.set_masses(a, b);
     }
-    const bool is_alike =
-        first.normal_count == contact.normal_count && first.friction_count == contact.friction_count;
-    if (planned_[c].rebounds() && planned_[c].is_early && is_alike) {
-      const auto rows = first_.rows_of(first);
-      std::copy(rows.begin(), rows.end(), problem_.rows.begin() + contact.first_row);
+    if (contact.friction_count == 0) continue;
+    const std::span<const ImpulseRow<D>> tangents = first_.frictions_of(first).first(D - 1);
+    for (std::size_t k = 0; k < D - 1; ++k) {
+      ImpulseRow<D>& row = problem_.frictions_of(contact)[k];
+      move_row(row, row_along<D>(row.direction, tangents), planned_[c].friction_at[k]);
+      row.set_masses(a, b);
     }
   }
   for (ImpulseRow<D>& row : problem_.rows) {
     row.slip = row.target = 0;
-    row.impulse *= 2;
+    row.impulse *= 2;  // where blocks rest, those of the first half step are half of the whole ones
   }
 }
 
@@ -79,6 +111,34 @@ void RigidContacts<D>::set_rebounds() {
   }
 }
 
+/// True if they have changed at a rebound.
+template <int D>
+bool RigidContacts<D>::match_times_of_impact() {
+  bool has_changed = false;
+  for (std::size_t c = 0; c < planned_.size(); ++c) {
+    PlannedContact<D>& contact = planned_[c];
+    double first = 0, whole = 0;
+    for (const ImpulseRow<D>& row : first_.normals_of(first_.contacts[c])) first += row.impulse;
+    for (const ImpulseRow<D>& row : problem_.normals_of(problem_.contacts[c])) whole += row.impulse;
+    if (!(whole > 0)) continue;
+    const double before = std::exchange(contact.impact_at, part_before(first, whole));
+    has_changed |= contact.rebounds() && std::abs(contact.impact_at - before) > matched_fraction;
+    if (problem_.contacts[c].friction_count == 0) continue;
+    Vector<D> of_first = Vector<D>::Zero();
+    for (const ImpulseRow<D>& row : first_.frictions_of(first_.contacts[c]))
+      of_first += row.impulse * row.direction;
+    for (std::size_t k = 0; k < D - 1; ++k) {
+      const ImpulseRow<D>& row = problem_.frictions_of(problem_.contacts[c])[k];
+      if (row.impulse == 0) continue;
+      const double friction_before =
+          std::exchange(contact.friction_at[k], part_before(of_first.dot(row.direction), row.impulse));
+      has_changed |=
+          contact.rebounds() && std::abs(contact.friction_at[k] - friction_before) > matched_fraction;
+    }
+  }
+  return has_changed;
+}
+
 /// In the half step, by the velocities before its impulses and after them.
 template <int D>
 ImpulseWork RigidContacts<D>::work_of(std::size_t c) const {
@@ -102,12 +162,9 @@ ImpulseWork RigidContacts<D>::work_of(std::size_t c) const {
 
 template <int D>
 void RigidContacts<D>::sum_work_of_islands() {
-  islands_.begin(blocks_.slot_count());
-  for (const ImpulseContact<D>& contact : problem_.contacts) {
-    if (contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0) islands_.join(contact.a, contact.b);
-  }
+  work_of_islands_.assign(problem_.islands.count(), {});
   for (std::size_t c = 0; c < planned_.size(); ++c) {
-    ImpulseWork& island = islands_.of(free_block_of(problem_.contacts[c]));
+    ImpulseWork& island = work_of_islands_[problem_.islands.of_contact(c)];
     island.add(planned_[c].work);
     island.add(work_of(c));
   }
@@ -117,20 +174,26 @@ void RigidContacts<D>::sum_work_of_islands() {
 /// together, as those of a block between two others do.
 template <int D>
 bool RigidContacts<D>::lower_rebounds() {
-  if (!solves_whole() || rebound_trials_ > max_rebound_trials) return false;
+  if (!solves_whole() || rebound_trials_ > max_trials) return false;
+  if (rebound_trials_ < max_matches && match_times_of_impact()) {
+    ++rebound_trials_;
+    set_velocity_targets();
+    return true;
+  }
+  rebound_trials_ = std::max(rebound_trials_, max_matches);
   sum_work_of_islands();
   bool has_changed = false;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     if (!planned_[c].rebounds()) continue;
     ImpulseWork own = planned_[c].work;
     own.add(work_of(c));
-    const ImpulseWork& island = islands_.of(free_block_of(problem_.contacts[c]));
+    const ImpulseWork& island = work_of_islands_[problem_.islands.of_contact(c)];
     const bool gains_by_friction = own.friction > 0 && own.normal <= 0;
     const ImpulseWork& worse = gains_by_friction && own.ratio() > island.ratio() ? own : island;
     has_changed |= planned_[c].fraction.improve(worse.sum(), worse.size);
   }
   if (!has_changed) return false;
-  if (++rebound_trials_ > max_rebound_trials) {
+  if (++rebound_trials_ > max_trials) {
     for (PlannedContact<D>& contact : planned_) contact.fraction.settle();
   }
   set_motions(Half::second);
@@ -143,6 +206,7 @@ bool RigidContacts<D>::lower_rebounds() {
   template void RigidContacts<D>::take_first_rows();                 \
   template void RigidContacts<D>::take_back_first_impulses();        \
   template void RigidContacts<D>::set_rebounds();                    \
+  template bool RigidContacts<D>::match_times_of_impact();           \
   template ImpulseWork RigidContacts<D>::work_of(std::size_t) const; \
   template void RigidContacts<D>::sum_work_of_islands();             \
   template bool RigidContacts<D>::lower_rebounds();

@@ -15,10 +15,25 @@ constexpr double shortest_fraction = 1e-6;
 
 }  // namespace
 
-/// Blocks that others support do not fall.
+/// Blocks that others support do not fall, by the impulses at points and those of the last motion. But those
+/// of an impact in it do not lift a block now.
 template <int D>
-void RigidContacts<D>::add_other_changes() {
-  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] += changes().of_motion(i);
+void RigidContacts<D>::add_support() {
+  if (model_.may_have_points()) {
+    for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] += changes().of_motion(i);
+  }
+  without_support_.assign(problem_.motions.begin(), problem_.motions.end());
+  for (const ImpulseContact<D>& contact : problem_.contacts) {
+    for (const ImpulseRow<D>& row : problem_.rows_of(contact)) problem_.apply(contact, row, row.impulse);
+  }
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
+    const BlockMotion<D>& falling = without_support_[i];
+    const BlockMotion<D> support = problem_.motions[i] - falling;
+    const Vector<D> fall = falling.velocity - problem_.start[i].velocity;
+    const double opposed = -support.velocity.dot(fall);
+    const double part = opposed > 0 ? std::min(1.0, fall.squaredNorm() / opposed) : 0;
+    problem_.motions[i] = {falling.velocity + part * support.velocity, falling.spin + part * support.spin};
+  }
 }
 
 /// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
@@ -26,8 +41,7 @@ void RigidContacts<D>::add_other_changes() {
 /// unless they approach faster than gravity and the solver's tolerance let them.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
-  const bool has_others = model_.may_have_points();
-  if (has_others) add_other_changes();
+  add_support();
   const double slow = duration * model_.settings.gravity.norm() + unbalanced_velocity_;
   std::size_t c = 0;
   for (PlannedContact<D>& contact : planned_) {
@@ -57,10 +71,11 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
       contact.gained[i] = acceleration * rest;
       contact.rebound_gap[i] = std::max(0.0, rest * (restitution * speed + 0.5 * acceleration * rest));
     }
-    contact.is_early = first < 0.5 * duration;
+    contact.impact_at = first < duration ? first / duration : 0.5;
+    contact.friction_at.fill(contact.impact_at);
     if (contact.is_new) contact.touched_at = time + std::min(first, duration);
   }
-  if (has_others) set_motions(Half::first);
+  set_motions(Half::first);
 }
 
 /// Penetration stays as it is: the points of a jammed heap could not all recover in one solve, so that their
@@ -162,7 +177,7 @@ void RigidContacts<D>::set_targets() {
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                \
-  template void RigidContacts<D>::add_other_changes();                                      \
+  template void RigidContacts<D>::add_support();                                            \
   template void RigidContacts<D>::find_impacts(double, double);                             \
   template double RigidContacts<D>::gap_floor(const PlannedContact<D>&, std::size_t) const; \
   template void RigidContacts<D>::set_gap_targets(double);                                  \
