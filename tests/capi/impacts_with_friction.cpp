@@ -419,6 +419,25 @@ TEST_CASE("a block lands on one that the floor supports") {
   }
 }
 
+/// Sweeps with friction came to a cycle at such impacts, so that the column fell over.
+TEST_CASE("blocks that fall on one another and bounce end as a straight column") {
+  const double place = GENERATE(0.5, 7.77, 33.3), restitution = GENERATE(0.2, 0.8);
+  ImpactWorld world(3, restitution, 0.6, 1. / 60, false, 9.81);
+  std::vector<hs_block> column;
+  for (int i = 0; i < 6; ++i) {
+    const double low = 0.2 + 0.5 * i;
+    const Points3 corners = box_corners({place, 0, low}, {place + 1, 1, low + 0.3});
+    column.push_back(world.add(make_hull(world.context.get(), corners), {}, {}));
+  }
+  world.step(600);
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    const hs_block_state block = world.state(column[i]);
+    CHECK(block.pose.position[0] == Approx(place + 0.5).margin(1e-9));
+    CHECK(block.pose.position[2] == Approx(0.15 + 0.3 * double(i)).margin(1e-6));
+    CHECK(block.velocity[2] == 0);
+  }
+}
+
 /// Of squares or cubes of side 1 m about the origin, over density, in the frame of the world.
 std::array<double, 3> angular_momentum(const std::vector<hs_block_state>& blocks) {
   std::array<double, 3> sum{};

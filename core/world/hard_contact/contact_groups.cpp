@@ -169,7 +169,7 @@ void ContactGroups<D>::set_motion(std::size_t block, const BlockMotion<D>& motio
 /// change, as a velocity. If it does not change anything, each row is projected with the present velocities.
 template <int D>
 template <class Four, bool changes>
-[[gnu::always_inline]] inline double ContactGroups<D>::visit(Group& group) {
+[[gnu::always_inline]] inline double ContactGroups<D>::visit(Group& group, bool has_friction) {
   Pairs<Four> pairs(motions_.data(), group);
   const Four none = all_four<Four>(0);
   Four largest = none, load = none;
@@ -191,6 +191,11 @@ template <class Four, bool changes>
     change(rows[i], impulse);
   }
   Row* const friction = rows + group.normal_count;
+  if (!has_friction) {
+    for (std::int32_t k = 0; k < group.friction_count; ++k) change(friction[k], none);
+    if (changes) pairs.store(motions_.data(), group);
+    return reduce_max(largest);
+  }
   const Four bound = lanes<Four>(group.tan_friction) * load;
   const auto reverse = [&](Four * impulse) __attribute__((always_inline)) {
     if (!group.slips) return none;
@@ -249,12 +254,13 @@ double ContactGroups<D>::unbalanced(const Part& part) {
 }
 
 template <int D>
-double ContactGroups<D>::sweep(const Part& part, bool is_backwards) {
+double ContactGroups<D>::sweep(const Part& part, bool is_backwards, bool has_friction) {
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     double largest = 0;
     const std::span<Group> groups = groups_of(part);
     for (std::size_t i = 0; i < groups.size(); ++i)
-      largest = std::max(largest, visit<Four, true>(groups[is_backwards ? groups.size() - 1 - i : i]));
+      largest = std::max(largest,
+                         visit<Four, true>(groups[is_backwards ? groups.size() - 1 - i : i], has_friction));
     return largest;
   });
 }

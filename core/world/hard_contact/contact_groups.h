@@ -42,8 +42,8 @@ class ContactGroups {
 
   /// Adds the present impulses to the motions. Returns the largest velocity by a normal one.
   double begin(const Part& part);
-  /// Returns the largest change, as a velocity.
-  double sweep(const Part& part, bool is_backwards);
+  /// Returns the largest change, as a velocity. Without friction, its impulses become none.
+  double sweep(const Part& part, bool is_backwards, bool has_friction = true);
   /// The largest velocity that one projection of a contact alone would change.
   double unbalanced(const Part& part);
 
@@ -104,7 +104,7 @@ class ContactGroups {
   template <class Four, class ImpulseOf>
   [[gnu::always_inline]] void push_all(const Part& part, ImpulseOf impulse_of);
   template <class Four, bool changes>
-  [[gnu::always_inline]] double visit(Group& group);
+  [[gnu::always_inline]] double visit(Group& group, bool has_friction = true);
   /// Calls `visit(contact, lane, first normal row, first friction row)`.
   template <class Visit>
   void for_each_contact(const Part& part, Visit visit) const {

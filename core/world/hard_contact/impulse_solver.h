@@ -108,14 +108,15 @@ class ImpulseSolver {
   }
 
  private:
+  using Part = typename ContactGroups<D>::Part;
   /// True if they help; then they replace the impulses.
   bool solve_active_sets(ImpulseProblem<D>& problem, std::size_t island, double tolerance, double helpful,
                          double& unbalanced, bool is_cold);
   ImpulseResult solve_island(ImpulseProblem<D>& problem, std::size_t island,
                              const ImpulseSettings& of_motion);
+  void sweep_normals(const Part& part);
   SolverPause pause_of(const ImpulseProblem<D>& problem, std::size_t island) const;
   void set_pause(const ImpulseProblem<D>& problem, std::size_t island, const SolverPause& pause);
-  using Part = typename ContactGroups<D>::Part;
   void restart_acceleration(const Part& part) {
     conjugate_ = {};
     groups_.restart_acceleration(part);
