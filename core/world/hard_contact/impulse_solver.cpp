@@ -13,8 +13,7 @@ constexpr int first_sweeps = 4;
 /// Where active sets are tried: the cap of the settings never lets a structure fall.
 constexpr int max_sweeps = 200;
 
-/// A lower cap neither ends sweeps after sets that fail nor pauses sets that help: so few sweeps would not
-/// hold a structure.
+/// A lower cap does not pause active sets that help: so few sweeps between them would not hold a structure.
 constexpr int few_sweeps = 20;
 
 /// Active sets do not settle while sweeps change velocities by more than this fraction of what gravity does.
