@@ -51,8 +51,8 @@ void require_stepped(World<D>& w, StepResult result) {
            w.time(), static_cast<long long>(w.steps()), id(jam->block), id(jam->pair.a), id(jam->pair.b),
            jam->pair.force);
   }
-  if (result == StepResult::unstable &&
-      !std::isfinite(w.stable_time_step())) {  // a shorter step may not help
+  // Without any spring a shorter step may not help.
+  if (result == StepResult::unstable && !std::isfinite(w.stable_time_step())) {
     refuse(
         HS_ERROR_UNSTABLE,
         "unstable at time %g (step %lld): energy has been created; the largest speed so far is %g m/s, and "

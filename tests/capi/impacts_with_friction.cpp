@@ -438,7 +438,7 @@ TEST_CASE("blocks that fall on one another and bounce end as a straight column")
   }
 }
 
-/// Of squares or cubes of side 1 m about the origin, over density, in the frame of the world.
+/// The angular momentum of squares or cubes of side 1 m about the origin of the world, over their density.
 std::array<double, 3> angular_momentum(const std::vector<hs_block_state>& blocks) {
   std::array<double, 3> sum{};
   for (const hs_block_state& block : blocks) {
@@ -451,7 +451,8 @@ std::array<double, 3> angular_momentum(const std::vector<hs_block_state>& blocks
   return sum;
 }
 
-/// What overlap there is when blocks turn is taken away by displacements, which change it by as much.
+/// Blocks that turn may overlap. The displacements that take the overlap away change angular momentum a
+/// little.
 TEST_CASE("two blocks that collide keep their angular momentum") {
   const int dimension = GENERATE(2, 3);
   Random random(4);

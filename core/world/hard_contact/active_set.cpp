@@ -96,15 +96,11 @@ void ActiveSet<D>::add_block(std::int32_t block) {
 }
 
 template <int D>
-void ActiveSet<D>::find_blocks(const ImpulseProblem<D>& problem) {
+void ActiveSet<D>::find_blocks(const ImpulseProblem<D>& problem, std::size_t island) {
   for (const std::int32_t block : blocks_) index_of_block_[std::size_t(block)] = -1;
   index_of_block_.resize(problem.motions.size(), -1);
   blocks_.clear();
-  for (const std::int32_t c : contacts_) {
-    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
-    if (contact.inverse_mass_a > 0) add_block(contact.a);
-    if (contact.inverse_mass_b > 0) add_block(contact.b);
-  }
+  problem.for_each_free_block(island, [&](std::int32_t block) { add_block(block); });
 }
 
 template <int D>
@@ -294,7 +290,7 @@ double ActiveSet<D>::solve(ImpulseProblem<D>& problem, std::size_t island, doubl
   states_.resize(problem.rows.size());
   compliance_ = first_compliance;
   double least = classify(problem, is_cold ? -noise : noise), last = HUGE_VAL;
-  find_blocks(problem);
+  find_blocks(problem, island);
   keep(problem);
   try {
     order_blocks(problem);

@@ -44,7 +44,7 @@ class ActiveSet {
   };
   double classify(ImpulseProblem<D>& problem, double noise);
   void set_state(std::size_t row, State state);
-  void find_blocks(const ImpulseProblem<D>& problem);
+  void find_blocks(const ImpulseProblem<D>& problem, std::size_t island);
   void order_blocks(const ImpulseProblem<D>& problem);
   void add_block(std::int32_t block);
   bool factorize(const ImpulseProblem<D>& problem);

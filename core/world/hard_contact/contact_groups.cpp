@@ -118,11 +118,7 @@ void ContactGroups<D>::take(const ImpulseProblem<D>& problem) {
   motions_.assign(stride * (problem.motions.size() + 1), 0);
   for (std::size_t i = 0; i < problem.motions.size(); ++i) set_motion(i, problem.motions[i]);
   rows_.clear();
-  for (Part& island : islands_) {
-    island.first_row = rows_.size();
-    for (Group& group : groups_of(island)) fill(problem, group);
-    island.end_row = rows_.size();
-  }
+  for (Group& group : groups_) fill(problem, group);
 }
 
 template <int D>
@@ -191,12 +187,7 @@ template <class Four, bool changes>
     change(rows[i], impulse);
   }
   Row* const friction = rows + group.normal_count;
-  if (!has_friction) {
-    for (std::int32_t k = 0; k < group.friction_count; ++k) change(friction[k], none);
-    if (changes) pairs.store(motions_.data(), group);
-    return reduce_max(largest);
-  }
-  const Four bound = lanes<Four>(group.tan_friction) * load;
+  const Four bound = has_friction ? lanes<Four>(group.tan_friction) * load : none;
   const auto reverse = [&](Four * impulse) __attribute__((always_inline)) {
     if (!group.slips) return none;
     const Four one = all_four<Four>(1), least = all_four<Four>(1e-300);

@@ -23,10 +23,9 @@ class ContactGroups {
   explicit ContactGroups(Memory* memory)
       : groups_(memory), rows_(memory), islands_(memory), motions_(memory), is_placed_(memory) {}
 
-  /// The groups of an island, or all, and their rows.
+  /// The groups of an island, or all.
   struct Part {
-    std::size_t first_group, end_group;
-    std::size_t first_row, end_row;
+    std::size_t first, end;
   };
 
   /// Makes the groups of these contacts, and takes the memory for problems of the same contacts.
@@ -38,7 +37,7 @@ class ContactGroups {
   /// Copies motions and impulses back.
   void give(const Part& part, ImpulseProblem<D>& problem) const;
   const Part& island(std::size_t number) const { return islands_[number]; }
-  Part all() const { return {0, groups_.size(), 0, rows_.size()}; }
+  Part all() const { return {0, groups_.size()}; }
 
   /// Adds the present impulses to the motions. Returns the largest velocity by a normal one.
   double begin(const Part& part);
@@ -117,16 +116,21 @@ class ContactGroups {
     }
   }
   std::span<const Group> groups_of(const Part& part) const {
-    return {groups_.data() + part.first_group, part.end_group - part.first_group};
+    return {groups_.data() + part.first, part.end - part.first};
   }
   std::span<Group> groups_of(const Part& part) {
-    return {groups_.data() + part.first_group, part.end_group - part.first_group};
+    return {groups_.data() + part.first, part.end - part.first};
+  }
+  std::size_t first_row_of(std::size_t group) const {
+    return group < groups_.size() ? std::size_t(groups_[group].first_row) : rows_.size();
   }
   std::span<const Row> rows_of(const Part& part) const {
-    return {rows_.data() + part.first_row, part.end_row - part.first_row};
+    const std::size_t first = first_row_of(part.first);
+    return {rows_.data() + first, first_row_of(part.end) - first};
   }
   std::span<Row> rows_of(const Part& part) {
-    return {rows_.data() + part.first_row, part.end_row - part.first_row};
+    const std::size_t first = first_row_of(part.first);
+    return {rows_.data() + first, first_row_of(part.end) - first};
   }
 
   Array<Group> groups_;

@@ -65,13 +65,13 @@ void ContactGroups<D>::arrange(const ImpulseProblem<D>& problem) {
   for (std::size_t i = 0; i < problem.islands.count(); ++i) {
     const std::size_t first = groups_.size();
     rows += arrange(problem, problem.islands.contacts_of(i));
-    islands_.push_back({first, groups_.size(), 0, 0});
+    islands_.push_back({first, groups_.size()});
   }
   rows_.reserve(rows);
   motions_.reserve(stride * (problem.motions.size() + 1));
 }
 
-/// Those of an island. Returns the most rows that the groups may have.
+/// Adds the groups of an island. Returns the most rows that they may have.
 template <int D>
 std::size_t ContactGroups<D>::arrange(const ImpulseProblem<D>& problem,
                                       std::span<const std::int32_t> contacts) {

@@ -13,7 +13,7 @@ namespace halfspace {
 class ContactIslands {
  public:
   explicit ContactIslands(Memory* memory)
-      : joined_(memory), number_(memory), of_contact_(memory), order_(memory), end_(memory) {}
+      : joined_(memory), of_block_(memory), of_contact_(memory), order_(memory), end_(memory) {}
 
   /// Finds the islands of contacts between so many blocks.
   template <class Contacts>
@@ -22,11 +22,11 @@ class ContactIslands {
     for (const auto& contact : contacts) {
       if (contact.inverse_mass_a > 0 && contact.inverse_mass_b > 0) joined_.join(contact.a, contact.b);
     }
-    number_.assign(blocks, -1);
+    of_block_.assign(blocks, -1);
     of_contact_.clear();
     end_.clear();
     for (const auto& contact : contacts) {
-      std::int32_t& number = number_[std::size_t(joined_.head_of(contact.free_block()))];
+      std::int32_t& number = of_block_[std::size_t(joined_.head_of(contact.free_block()))];
       if (number < 0) {
         number = std::int32_t(end_.size());
         end_.push_back(0);
@@ -34,13 +34,15 @@ class ContactIslands {
       of_contact_.push_back(number);
       ++end_[std::size_t(number)];
     }
+    for (std::size_t i = 0; i < blocks; ++i)
+      of_block_[i] = of_block_[std::size_t(joined_.head_of(std::int32_t(i)))];
     sort();
   }
 
   std::size_t count() const { return end_.size(); }
   std::size_t of_contact(std::size_t contact) const { return std::size_t(of_contact_[contact]); }
   /// -1 for a block that has no contact.
-  std::int32_t of_block(std::int32_t block) { return number_[std::size_t(joined_.head_of(block))]; }
+  std::int32_t of_block(std::int32_t block) const { return of_block_[std::size_t(block)]; }
   /// In their order.
   std::span<const std::int32_t> contacts_of(std::size_t island) const {
     const std::size_t first = island == 0 ? 0 : std::size_t(end_[island - 1]);
@@ -62,8 +64,8 @@ class ContactIslands {
   }
 
   Islands joined_;
-  Array<std::int32_t> number_;      // of the island of each head, or -1
-  Array<std::int32_t> of_contact_;  // the number of its island
+  Array<std::int32_t> of_block_;    // the number of its island, or -1
+  Array<std::int32_t> of_contact_;  // likewise
   Array<std::int32_t> order_;       // contacts by island
   Array<std::int32_t> end_;         // of each island in `order_`
 };

@@ -152,7 +152,7 @@ void HardContacts<D>::stop_approach(EnergySample& sample, EnergyLedger& ledger) 
   }
   points_.set_velocities();
   solve(Half::second, duration);
-  while (rigid_.lower_rebounds()) solve(Half::second, duration);
+  while (rigid_.improve_rebounds()) solve(Half::second, duration);
   rigid_.end_motion(ledger);
   points_.end_motion(ledger);
   pause_ = next_pause_;

@@ -90,6 +90,15 @@ struct ImpulseProblem {
   double velocity_along(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
     return row.velocity(motions[std::size_t(contact.a)], motions[std::size_t(contact.b)]);
   }
+  /// Calls `visit(block)` for each block of an island that impulses move, once for each of its contacts.
+  template <class Visit>
+  void for_each_free_block(std::size_t island, Visit visit) const {
+    for (const std::int32_t c : islands.contacts_of(island)) {
+      const ImpulseContact<D>& contact = contacts[std::size_t(c)];
+      if (contact.inverse_mass_a > 0) visit(contact.a);
+      if (contact.inverse_mass_b > 0) visit(contact.b);
+    }
+  }
   /// Are all blocks of an island slow, and those that it touches?
   bool all_slow(std::size_t island) const {
     const std::span<const std::int32_t> of_island = islands.contacts_of(island);
@@ -182,9 +191,17 @@ struct ImpulseProblem {
   }
   /// The largest friction impulse at the present normal impulses.
   double friction_bound(const ImpulseContact<D>& contact) {
+    return contact.tan_friction * normal_impulse(contact);
+  }
+  double normal_impulse(const ImpulseContact<D>& contact) {
     double sum = 0;
     for (const ImpulseRow<D>& row : normals_of(contact)) sum += row.impulse;
-    return contact.tan_friction * sum;
+    return sum;
+  }
+  Vector<D> friction_impulse(const ImpulseContact<D>& contact) {
+    Vector<D> sum = Vector<D>::Zero();
+    for (const ImpulseRow<D>& row : frictions_of(contact)) sum += row.impulse * row.direction;
+    return sum;
   }
 
   /// Does a contact bear, with friction below its bound?

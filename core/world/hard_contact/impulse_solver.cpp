@@ -26,7 +26,7 @@ constexpr double helpful_fraction = 0.1;
 /// Blocks move past each other where they are faster than this fraction of what gravity does in a step.
 constexpr double slip_fraction = 0.1;
 
-/// Of normal impulses alone, where friction has kept the others from a solution.
+/// Sweeps of normal impulses alone, where friction has kept all from a solution.
 constexpr int normal_sweeps = 40;
 
 }  // namespace
@@ -130,10 +130,11 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
     stall = {};
   }
   const bool are_sets_of_use = have_sets_helped && !slips;
-  if (are_sets_of_use && result.has_converged) pause = {};
   const bool may_pause = is_in_motion || !are_sets_of_use || settings.max_iterations >= few_sweeps;
-  const bool is_without_use = !result.has_converged || (slips && have_sets_helped);
-  if (uses_active_sets && is_without_use && may_pause) pause.begin_longer();
+  if (are_sets_of_use && result.has_converged)
+    pause = {};
+  else if (uses_active_sets && (have_sets_helped || !result.has_converged) && may_pause)
+    pause.begin_longer();
   set_pause(problem, island, pause);
   return result;
 }
@@ -142,50 +143,43 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
 /// the impact of a column, that may come to a cycle. From the solution without friction it does not.
 template <int D>
 void ImpulseSolver<D>::sweep_normals(const Part& part) {
-  restart_acceleration(part);
-  for (int i = 1; i <= normal_sweeps; ++i) {
-    groups_.sweep(part, i % 2 == 0, false);
-    if (i % 2 == 0) accelerate(part);
-  }
+  sweep_only(part, normal_sweeps, false);
+  accelerate(part);
   restart_acceleration(part);
 }
 
-/// The longest of its blocks', which may have been in different islands: sets fail where they fail for a
-/// part.
+/// The longest pause of the island's blocks, which may have been in different ones: sets fail where they fail
+/// for a part.
 template <int D>
 SolverPause ImpulseSolver<D>::pause_of(const ImpulseProblem<D>& problem, std::size_t island) const {
   SolverPause longest;
-  for (const std::int32_t c : problem.islands.contacts_of(island)) {
-    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
-    for (const std::int32_t block : {contact.a, contact.b}) {
-      const SolverPause& pause = pauses_[std::size_t(block)];
-      if (problem.inverse_masses[std::size_t(block)].of_mass > 0 && longest.length < pause.length)
-        longest = pause;
-    }
-  }
+  problem.for_each_free_block(island, [&](std::int32_t block) {
+    const SolverPause& pause = pauses_[std::size_t(block)];
+    if (longest.length < pause.length) longest = pause;
+  });
   return longest;
 }
 
 template <int D>
 void ImpulseSolver<D>::set_pause(const ImpulseProblem<D>& problem, std::size_t island,
                                  const SolverPause& pause) {
-  for (const std::int32_t c : problem.islands.contacts_of(island)) {
-    const ImpulseContact<D>& contact = problem.contacts[std::size_t(c)];
-    if (contact.inverse_mass_a > 0) pauses_[std::size_t(contact.a)] = pause;
-    if (contact.inverse_mass_b > 0) pauses_[std::size_t(contact.b)] = pause;
+  problem.for_each_free_block(island, [&](std::int32_t block) { pauses_[std::size_t(block)] = pause; });
+}
+
+template <int D>
+void ImpulseSolver<D>::sweep_only(const Part& part, int count, bool has_friction) {
+  restart_acceleration(part);
+  for (int i = 1; i <= count; ++i) {
+    groups_.sweep(part, i % 2 == 0, has_friction);
+    if (i % 2 == 0 && i < count) accelerate(part);
   }
 }
 
 template <int D>
 void ImpulseSolver<D>::sweep_only(ImpulseProblem<D>& problem, int count) {
   groups_.take(problem);
-  const Part all = groups_.all();
-  restart_acceleration(all);
-  for (int i = 1; i <= count; ++i) {
-    groups_.sweep(all, i % 2 == 0);
-    if (i % 2 == 0 && i < count) accelerate(all);
-  }
-  groups_.give(all, problem);
+  sweep_only(groups_.all(), count, true);
+  groups_.give(groups_.all(), problem);
 }
 
 template class ImpulseSolver<2>;

@@ -89,7 +89,7 @@ class ImpulseSolver {
   /// The problem's motions contain the velocities without impulses.
   ImpulseResult solve(ImpulseProblem<D>& problem, const ImpulseSettings& settings);
 
-  /// Of each block.
+  /// The pause of each block's island.
   const Array<SolverPause>& pauses() const { return pauses_; }
   void set_pauses(const Array<SolverPause>& pauses) { pauses_.assign(pauses.begin(), pauses.end()); }
   /// So many sweeps only; the problem's motions contain its impulses.
@@ -114,6 +114,7 @@ class ImpulseSolver {
                          double& unbalanced, bool is_cold);
   ImpulseResult solve_island(ImpulseProblem<D>& problem, std::size_t island,
                              const ImpulseSettings& of_motion);
+  void sweep_only(const Part& part, int count, bool has_friction);
   void sweep_normals(const Part& part);
   SolverPause pause_of(const ImpulseProblem<D>& problem, std::size_t island) const;
   void set_pause(const ImpulseProblem<D>& problem, std::size_t island, const SolverPause& pause);

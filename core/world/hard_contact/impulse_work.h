@@ -2,7 +2,7 @@
 
 namespace halfspace {
 
-/// Of the impulses of a contact, J.
+/// The work of the impulses of a contact, J.
 struct ImpulseWork {
   double normal = 0;
   double friction = 0;

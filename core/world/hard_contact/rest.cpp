@@ -100,14 +100,14 @@ void Rest<D>::find_standing(ImpulseProblem<D>& problem, double speed) {
 }
 
 template <int D>
-bool Rest<D>::all_stand(ImpulseProblem<D>& problem, double speed) {
+bool Rest<D>::all_stand(const ImpulseProblem<D>& problem, double speed) {
   return for_all_movers([&](std::size_t i) {
     return blocks_.kind[i] == BlockKind::rigid ? stands(problem, i) : is_slow(i, problem.motions[i], speed);
   });
 }
 
 template <int D>
-void Rest<D>::hold_standing(Half half, ImpulseProblem<D>& problem) {
+void Rest<D>::hold_standing(Half half, const ImpulseProblem<D>& problem) {
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
     if (problem.inverse_masses[i].of_mass > 0 && stands(problem, i)) integrator_.hold(i, half == Half::first);
 }

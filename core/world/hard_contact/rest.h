@@ -67,12 +67,12 @@ class Rest {
   bool is_slow(const ImpulseContact<D>& contact, const ImpulseProblem<D>& problem, double speed) const;
   bool is_guided(std::size_t block) const;
   void find_standing(ImpulseProblem<D>& problem, double speed);
-  bool stands(ImpulseProblem<D>& problem, std::size_t block) const {
+  bool stands(const ImpulseProblem<D>& problem, std::size_t block) const {
     const std::int32_t island = problem.islands.of_block(std::int32_t(block));
     return island >= 0 && !moves_[std::size_t(island)];
   }
-  void hold_standing(Half half, ImpulseProblem<D>& problem);
-  bool all_stand(ImpulseProblem<D>& problem, double speed);
+  void hold_standing(Half half, const ImpulseProblem<D>& problem);
+  bool all_stand(const ImpulseProblem<D>& problem, double speed);
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;

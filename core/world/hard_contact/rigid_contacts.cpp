@@ -135,10 +135,7 @@ void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
     std::size_t i = 0;
     const double part = solves_whole() ? 0.5 : 1;
     for (const ImpulseRow<D>& row : problem_.normals_of(of)) contact.impulse[i++] = part * row.impulse;
-    contact.friction.setZero();
-    contact.couple = 0;
-    for (const ImpulseRow<D>& row : problem_.frictions_of(of))
-      contact.friction += row.impulse * row.direction;
+    contact.friction = problem_.friction_impulse(of);
     contact.couple = part * twist_about_middle(of, contact);
     contact.friction *= part;
   }

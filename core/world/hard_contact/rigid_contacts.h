@@ -32,7 +32,7 @@ class RigidContacts {
         next_known_(memory),
         planned_(memory),
         first_(memory),
-        without_support_(memory),
+        free_motions_(memory),
         pauses_(memory),
         work_of_islands_(memory) {}
 
@@ -115,8 +115,9 @@ class RigidContacts {
   void find_at_end(std::span<const std::size_t> held_by_points);
   /// Makes the impulse problem of the second half, with its motions and targets.
   void set_velocity_targets();
-  /// Lowers restitution where impulses have made energy. True if the problem is to be solved again.
-  bool lower_rebounds();
+  /// Takes the times of impact from the solution, then lowers restitution where impulses have made energy.
+  /// True if the problem is to be solved again.
+  bool improve_rebounds();
   void end_motion(EnergyLedger& ledger);
 
   void forget(std::int32_t slot) {
@@ -164,6 +165,7 @@ class RigidContacts {
   void take_back_first_impulses();
   void set_rebounds();
   bool match_times_of_impact();
+  bool lower_rebounds();
   void set_targets();
   /// Calls `visit(row, impulse, is_normal)` for all impulses of a half step on a contact.
   template <class Visit>
@@ -187,7 +189,7 @@ class RigidContacts {
   Array<RigidContact<D>> next_known_;
   Array<PlannedContact<D>> planned_;
   ImpulseProblem<D> first_;  // that of the first half step, in the second one of a motion with rebounds
-  Array<BlockMotion<D>> without_support_;
+  Array<BlockMotion<D>> free_motions_;  // without impulses, while times of impact are found
   Array<SolverPause> pauses_;           // of each block, after the last motion
   Array<ImpulseWork> work_of_islands_;  // in a motion with rebounds
   int rebound_trials_ = 0;

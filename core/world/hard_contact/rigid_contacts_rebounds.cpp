@@ -39,10 +39,6 @@ ImpulseRow<D> row_along(const Vector<D>& direction, std::span<const ImpulseRow<D
   return along;
 }
 
-/// The part of the motion after which impulses of these sizes would move blocks as the first did from then
-/// on.
-double part_before(double first, double whole) { return std::clamp(1 - first / whole, 0.0, 1.0); }
-
 }  // namespace
 
 /// The impulses of the first half step make the end of a path that bounces off, and would turn blocks by arms
@@ -111,29 +107,26 @@ void RigidContacts<D>::set_rebounds() {
   }
 }
 
-/// True if they have changed at a rebound.
+/// Finds the times of impact from the impulses of the first half step and the whole ones. True if one of a
+/// rebound has changed.
 template <int D>
 bool RigidContacts<D>::match_times_of_impact() {
   bool has_changed = false;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
     PlannedContact<D>& contact = planned_[c];
-    double first = 0, whole = 0;
-    for (const ImpulseRow<D>& row : first_.normals_of(first_.contacts[c])) first += row.impulse;
-    for (const ImpulseRow<D>& row : problem_.normals_of(problem_.contacts[c])) whole += row.impulse;
+    const ImpulseContact<D>&of = problem_.contacts[c], &of_first = first_.contacts[c];
+    const auto match = [&](double& at, double first, double whole) {
+      const double before = std::exchange(at, std::clamp(1 - first / whole, 0.0, 1.0));
+      has_changed |= contact.rebounds() && std::abs(at - before) > matched_fraction;
+    };
+    const double whole = problem_.normal_impulse(of);
     if (!(whole > 0)) continue;
-    const double before = std::exchange(contact.impact_at, part_before(first, whole));
-    has_changed |= contact.rebounds() && std::abs(contact.impact_at - before) > matched_fraction;
-    if (problem_.contacts[c].friction_count == 0) continue;
-    Vector<D> of_first = Vector<D>::Zero();
-    for (const ImpulseRow<D>& row : first_.frictions_of(first_.contacts[c]))
-      of_first += row.impulse * row.direction;
+    match(contact.impact_at, first_.normal_impulse(of_first), whole);
+    if (of.friction_count == 0) continue;
+    const Vector<D> friction = first_.friction_impulse(of_first);
     for (std::size_t k = 0; k < D - 1; ++k) {
-      const ImpulseRow<D>& row = problem_.frictions_of(problem_.contacts[c])[k];
-      if (row.impulse == 0) continue;
-      const double friction_before =
-          std::exchange(contact.friction_at[k], part_before(of_first.dot(row.direction), row.impulse));
-      has_changed |=
-          contact.rebounds() && std::abs(contact.friction_at[k] - friction_before) > matched_fraction;
+      const ImpulseRow<D>& row = problem_.frictions_of(of)[k];
+      if (row.impulse != 0) match(contact.friction_at[k], friction.dot(row.direction), row.impulse);
     }
   }
   return has_changed;
@@ -170,10 +163,8 @@ void RigidContacts<D>::sum_work_of_islands() {
   }
 }
 
-/// Where friction makes a contact gain energy, and where simultaneous impacts of connected blocks gain some
-/// together, as those of a block between two others do.
 template <int D>
-bool RigidContacts<D>::lower_rebounds() {
+bool RigidContacts<D>::improve_rebounds() {
   if (!solves_whole() || rebound_trials_ > max_trials) return false;
   if (rebound_trials_ < max_matches && match_times_of_impact()) {
     ++rebound_trials_;
@@ -181,6 +172,13 @@ bool RigidContacts<D>::lower_rebounds() {
     return true;
   }
   rebound_trials_ = std::max(rebound_trials_, max_matches);
+  return lower_rebounds();
+}
+
+/// Where friction makes a contact gain energy, and where simultaneous impacts of connected blocks gain some
+/// together, as those of a block between two others do.
+template <int D>
+bool RigidContacts<D>::lower_rebounds() {
   sum_work_of_islands();
   bool has_changed = false;
   for (std::size_t c = 0; c < planned_.size(); ++c) {
@@ -209,6 +207,7 @@ bool RigidContacts<D>::lower_rebounds() {
   template bool RigidContacts<D>::match_times_of_impact();           \
   template ImpulseWork RigidContacts<D>::work_of(std::size_t) const; \
   template void RigidContacts<D>::sum_work_of_islands();             \
+  template bool RigidContacts<D>::improve_rebounds();                \
   template bool RigidContacts<D>::lower_rebounds();
 HALFSPACE_MEMBERS(2)
 HALFSPACE_MEMBERS(3)

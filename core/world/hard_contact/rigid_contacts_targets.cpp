@@ -15,24 +15,25 @@ constexpr double shortest_fraction = 1e-6;
 
 }  // namespace
 
-/// Blocks that others support do not fall, by the impulses at points and those of the last motion. But those
-/// of an impact in it do not lift a block now.
+/// Blocks that others support do not fall: adds the impulses at points and those of the last motion, but no
+/// more than hold a block, since those of an impact would lift it.
 template <int D>
 void RigidContacts<D>::add_support() {
-  if (model_.may_have_points()) {
-    for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] += changes().of_motion(i);
-  }
-  without_support_.assign(problem_.motions.begin(), problem_.motions.end());
+  const auto falling = [&](std::size_t i) {
+    BlockMotion<D> motion = free_motions_[i];
+    if (model_.may_have_points()) motion += changes().of_motion(i);
+    return motion;
+  };
+  for (std::size_t i = 0; i < blocks_.moving_end(); ++i) problem_.motions[i] = falling(i);
   for (const ImpulseContact<D>& contact : problem_.contacts) {
     for (const ImpulseRow<D>& row : problem_.rows_of(contact)) problem_.apply(contact, row, row.impulse);
   }
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
-    const BlockMotion<D>& falling = without_support_[i];
-    const BlockMotion<D> support = problem_.motions[i] - falling;
-    const Vector<D> fall = falling.velocity - problem_.start[i].velocity;
+    const BlockMotion<D> free = falling(i), support = problem_.motions[i] - free;
+    const Vector<D> fall = free.velocity - problem_.start[i].velocity;
     const double opposed = -support.velocity.dot(fall);
     const double part = opposed > 0 ? std::min(1.0, fall.squaredNorm() / opposed) : 0;
-    problem_.motions[i] = {falling.velocity + part * support.velocity, falling.spin + part * support.spin};
+    problem_.motions[i] = {free.velocity + part * support.velocity, free.spin + part * support.spin};
   }
 }
 
@@ -41,6 +42,7 @@ void RigidContacts<D>::add_support() {
 /// unless they approach faster than gravity and the solver's tolerance let them.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
+  free_motions_.assign(problem_.motions.begin(), problem_.motions.end());
   add_support();
   const double slow = duration * model_.settings.gravity.norm() + unbalanced_velocity_;
   std::size_t c = 0;
@@ -75,7 +77,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
     contact.friction_at.fill(contact.impact_at);
     if (contact.is_new) contact.touched_at = time + std::min(first, duration);
   }
-  set_motions(Half::first);
+  std::copy(free_motions_.begin(), free_motions_.end(), problem_.motions.begin());
 }
 
 /// Penetration stays as it is: the points of a jammed heap could not all recover in one solve, so that their
