@@ -402,7 +402,10 @@ class UnusualScenes(unittest.TestCase):
             self.assertEqual(self.notes(PILE + added % usual), [])
             self.assert_one(PILE + added % unusual, pattern)
         mesh = '[[block]]\nname = "third"\nmaterial = "stone"\nkind = "mesh"\ncell_size = %s\nvertices = [[0, 2], [1, 2], [1, 3], [0, 3]]\n'
-        self.assertEqual(self.notes(PILE + mesh % 0.5), [])
+        for usual in (0.05, 0.5):
+            self.assertEqual(self.notes(PILE + mesh % usual), [])
+        flat = mesh.replace("3]", "2.1]").replace("[1, 2", "[4, 2")
+        self.assertEqual(self.notes(PILE + flat % 1), [])  # divided along, not across
         self.assert_one(PILE + mesh % 50, r'block\[3\]\.cell_size: 50 m is larger than the block')
         rock = ('[[jointed_rock]]\nname = "rock"\nmaterial = "stone"\nsmallest_area = %s\n'
                 "region = [[0, 2], [1, 2], [1, 3], [0, 3]]\njoint_set = [{dip = 0, spacing = 0.5}]\n")

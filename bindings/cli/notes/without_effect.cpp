@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -9,21 +10,37 @@
 namespace halfspace::cli {
 namespace {
 
-/// The extent of all blocks at the start, along one axis.
+/// An extent along one axis.
 struct Extent {
   double low = INFINITY, high = -INFINITY;
   double size() const { return high - low; }
+  void include(double coordinate) {
+    low = std::min(low, coordinate);
+    high = std::max(high, coordinate);
+  }
 };
 
+/// Of all blocks at the start.
 Extent extent_along(const Start& start, std::size_t axis) {
   Extent extent;
-  for (const auto& block : start.frame.blocks) {
-    for (const Point& vertex : block.vertices) {
-      extent.low = std::min(extent.low, vertex[axis]);
-      extent.high = std::max(extent.high, vertex[axis]);
-    }
-  }
+  for (const auto& block : start.frame.blocks)
+    for (const Point& vertex : block.vertices) extent.include(vertex[axis]);
   return extent;
+}
+
+/// The largest extent of a body along an axis, of the bodies that one table makes.
+double largest_body(const Start& start, const std::string& key) {
+  std::map<std::pair<std::size_t, std::size_t>, Extent> extents;  // by body and axis
+  for (std::size_t i = 0; i < start.layout.blocks.size(); ++i) {
+    const LayoutBlock& block = start.layout.blocks[i];
+    if (block.key != key || !block.body) continue;
+    for (const Point& vertex : start.frame.blocks[i].vertices)
+      for (std::size_t axis = 0; axis < vertex.size(); ++axis)
+        extents[{*block.body, axis}].include(vertex[axis]);
+  }
+  double largest = 0;
+  for (const auto& [place, extent] : extents) largest = std::max(largest, extent.size());
+  return largest;
 }
 
 void note_tables_without_blocks(const Start& start, Faults& faults) {
@@ -71,10 +88,8 @@ void note_window(const Start& start, Faults& faults) {
 void note_cells(const Start& start, Faults& faults) {
   for_each_making(start.scene, [&](const Making& making) {
     if (!(making.cell_size > 0)) return;
-    double widest = 0;
-    for (std::size_t i = 0; i < start.layout.blocks.size(); ++i)
-      if (start.layout.blocks[i].key == making.key) widest = std::max(widest, start.bodies[i].thickness);
-    if (widest > 0 && making.cell_size > 2 * widest)
+    const double widest = largest_body(start, making.key);
+    if (widest > 0 && making.cell_size > widest)
       faults.note(making.place, making.key + ".cell_size",
                   shortest(making.cell_size) +
                       " m is larger than the block: it is not divided; usual: a fraction of its thickness");
