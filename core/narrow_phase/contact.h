@@ -32,7 +32,7 @@ struct DetectOptions {
 };
 
 /// A potential contact pair, which is a facet of the Minkowski difference of two blocks (Wang et al. 2021,
-/// eqs. 9, 17 and 23).
+/// eqs. 9, 19 and 23).
 template <int D>
 struct PotentialPair;
 

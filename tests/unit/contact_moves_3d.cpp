@@ -74,7 +74,7 @@ TEST_CASE("every facet of the Minkowski difference is across the sides of its ne
         if (std::find(found.begin(), found.end(), facet.pair) == found.end()) found.push_back(facet.pair);
       });
     }
-    // By definition: each face with the vertex deepest behind it, and the edges that pass eqs. 23 to 26.
+    // By definition: each face with the vertex deepest behind it, and the edges that pass eqs. 23 and 24.
     int expected = a.face_count() + b.face_count();
     for (int e = 0; e < a.topology->edge_count; ++e)
       for (int h = 0; h < b.topology->edge_count; ++h)

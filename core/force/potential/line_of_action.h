@@ -10,7 +10,7 @@
 
 namespace halfspace {
 
-/// The potential force as a resultant along a line (Zheng et al. 2020, section 3.3).
+/// The potential force as a resultant along a line (Zheng et al. 2020, section 3.2.4).
 template <int D>
 struct LineOfAction {
   Vector<D> direction;                     // unit, of the force on b

@@ -76,7 +76,7 @@ inline Vector<3> edge_pair_normal(const SeenOutline& a, int edge_of_a, const See
   return edge_pair_normal(a, edge_of_a, edge_vector(b, edge_of_b));
 }
 
-/// Are an edge of each block a potential contact pair (Wang et al. 2021, eqs. 23-26)? That is, are both
+/// Are an edge of each block a potential contact pair (Wang et al. 2021, eqs. 23 and 24)? That is, are both
 /// blocks on their own sides of their parallelogram, with the given normal? For edges parallel to rounding
 /// the result is for the rounded normal.
 inline bool is_edge_pair(const SeenEdge& a, const SeenEdge& b, const Vector<3>& normal) {

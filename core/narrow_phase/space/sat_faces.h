@@ -13,7 +13,7 @@ struct FaceGap {
 };
 
 /// The largest gap among the faces of `owner`, over all vertices of the other block (Wang et al. 2021, eqs.
-/// 17-22). Both are in one orientation; `to_other` leads from the owner's centroid to the other's.
+/// 19 and 25). Both are in one orientation; `to_other` leads from the owner's centroid to the other's.
 inline FaceGap largest_face_gap(const Outline<3>& owner, const Outline<3>& other, const Vector<3>& to_other) {
   const TwoLanes to_x = both(to_other.x()), to_y = both(to_other.y()), to_z = both(to_other.z());
   struct Normals {

@@ -11,7 +11,7 @@
 namespace halfspace {
 
 /// The deepest vertex along a direction: with an outer normal of the other block's half-space it is a
-/// potential contact pair (Wang et al. 2021, eq. 17). Eight vertices at a time, in two independent chains of
+/// potential contact pair (Wang et al. 2021, eq. 19). Eight vertices at a time, in two independent chains of
 /// four, with selections instead of branches, as the vertex is unpredictable.
 template <class Four = TwiceTwoLanes>
 [[gnu::always_inline]] inline Support deepest_among_all(const Outline<3>& block, const Vector<3>& direction) {
