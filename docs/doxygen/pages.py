@@ -12,6 +12,9 @@ OUTSIDE = {
     "bindings/fortran/README.md": "Fortran",
     "bindings/rust/README.md": "Rust",
     "box2d_adapter/README.md": "Box2D adapter",
+    "docs/papers/wang_2021.md": "Map of Wang 2021",
+    "docs/papers/zheng_2020.md": "Map of Zheng 2020",
+    "docs/papers/li_2015.md": "Map of Li 2015",
     "CONTRIBUTING.md": "Contributing",
     "CHANGELOG.md": "Changes",
 }

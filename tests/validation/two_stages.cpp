@@ -94,7 +94,7 @@ double largest_difference(const Places& a, const Places& b) {
 
 /// Bars that swing after the impact are off by their waves, too, to the second order in the step: near the
 /// critical step that is more than what the touch makes.
-TEST_CASE("two stages in a step make places after an impact exacter", "[mesh][reaction]") {
+TEST_CASE("two stages in a step make places after an impact more accurate", "[mesh][reaction]") {
   const double critical = size / std::sqrt(young / density);
   constexpr int phases = 4;
   std::vector<double> ratios;

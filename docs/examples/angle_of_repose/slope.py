@@ -13,11 +13,11 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-RIGID = 2  # the kind of a block that moves freely, as in halfspace/world.h
+MOVING = (2, 3)  # the kinds of rigid and affine blocks, as in halfspace/world.h
 
 
 def read_grains(path):
-    """The vertices of each rigid block."""
+    """The vertices of each block that moves freely."""
     reader = vtk.vtkXMLPolyDataReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -26,7 +26,7 @@ def read_grains(path):
     offsets = vtk_to_numpy(data.GetPolys().GetOffsetsArray())
     nodes = vtk_to_numpy(data.GetPolys().GetConnectivityArray())
     kind = vtk_to_numpy(data.GetCellData().GetArray("kind"))
-    return [points[nodes[offsets[i]:offsets[i + 1]]] for i in range(len(kind)) if kind[i] == RIGID]
+    return [points[nodes[offsets[i]:offsets[i + 1]]] for i in range(len(kind)) if kind[i] in MOVING]
 
 
 def surface(grains):
