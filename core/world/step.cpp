@@ -12,7 +12,7 @@
 //            springs; the neighbour list is renewed if the motion would use it up
 //   divide   divide(): a motion in which a block turns too far or a fast pair overlaps deeply is shortened
 //   move     move(): kick and drift
-//   load     evaluate_forces(): contacts, their forces and the sums of each block
+//   load     evaluate_forces(): contacts, their forces and the sums of each block (stages/contact_stage.h)
 //   kick     the second half of the kick, then the impulses that stop approach
 //   book     the ledger takes the energies after the motion
 
@@ -154,7 +154,7 @@ StepResult World<D>::load_changed() {
   integrator_.resize(slots);
   if (!model_.viscous_nodes.empty()) model_.viscous_nodes.renew(model_.blocks.meshes());
   if (model_.settings.sleep_tolerance > 0) sleep_.resize(slots);
-  evaluate_forces(0);
+  evaluate_forces(0, 0);
   return StepResult::ok;
 }
 
@@ -183,12 +183,10 @@ void World<D>::move_and_load() {
   model_.actions.accept_motion();
   hard_contacts_.apply_position_impulses(ledger_);
   integrator_.kick_and_drift();
-  forget_contacts();
+  contact_stage_.forget();
   lap(Pass::motion);
 
-  made_ = duration;
-  evaluate_forces(duration);
-  made_ = 0;
+  evaluate_forces(duration, duration);
   if (!model_.actions.empty()) model_.actions.place_loads(model_.blocks);
 }
 
@@ -231,7 +229,7 @@ template <int D>
 StepResult World<D>::predict_changed() {
   renew_neighbors_if_needed();
   contacts_.neighbors().remember_pairs();
-  const auto before = copies_of(state(), model_.blocks.kind.get_allocator().resource());
+  const auto before = copies_of(state(), own_memory());
   try {
     return prepare_and_predict();
   } catch (const std::bad_alloc&) {

@@ -10,7 +10,6 @@
 #include "threads/interrupt.h"
 #include "world/contacts/bond_pass.h"
 #include "world/contacts/contact_list.h"
-#include "world/contacts/entrance.h"
 #include "world/contacts/force_pass.h"
 #include "world/hard_contact/hard_contacts.h"
 #include "world/ledger.h"
@@ -25,6 +24,7 @@
 #include "world/share/assembly.h"
 #include "world/share/block_record.h"
 #include "world/share/share.h"
+#include "world/stages/contact_stage.h"
 #include "world/stopwatch.h"
 
 namespace halfspace {
@@ -303,6 +303,7 @@ class World {
   }
 
  private:
+  Memory* own_memory() { return model_.blocks.kind.get_allocator().resource(); }
   void edit();
   void note_added(std::int32_t slot);
   PartOverlap overlap_of_parts(std::int32_t compound) const;
@@ -314,24 +315,13 @@ class World {
   void make_bonds();
   template <class Make>
   std::int64_t make_bonds_of(const BondLaw& law, Make make);
-  void forget_contacts();
   /// Reserves the working memory of laws and times of impact.
   void fit_rooms();
   void renew_neighbors(int renewals = 0);
   void renew_neighbors_if_needed();
-  template <class OnContact>
-  void find_in(const Chunk& pairs, PairSums& sums, OnContact on_contact);
-  template <class Visit>
-  void pass_over_pairs(Visit visit);
-  template <class OnContact>
-  void take_in_met(OnContact on_contact);
-  void find_entrances();
-  void end_finding();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
-  bool load_pair(std::size_t k, const Contact<D>& contact, typename ForcePass<D>::Evaluation& evaluation);
   void load_by_bonds(double elapsed);
   void load_by_water_and_bolts();
-  void load_left_out();
   /// Calls `visit(a, b)` for all blocks in touch or connected by a bolt.
   template <class Visit>
   void for_each_touch(Visit visit) const {
@@ -344,13 +334,15 @@ class World {
   void wake_touched(double time) {
     wake(sleep_.wake_touched([&](auto visit) { for_each_touch(visit); }, time));
   }
-  void wake(bool has_woken) { are_left_out_loaded_ = are_left_out_loaded_ && !has_woken; }
+  void wake(bool has_woken) {
+    if (has_woken) contact_stage_.forget_sleeping();
+  }
   void look_for_sleep();
   void stop_all();
   bool leaves_room_for_damping(double time_step);
   template <class RestMonitor>
   void relax_under_damping(const Relaxation& relaxation, RestMonitor& monitor, Relaxed& relaxed);
-  void evaluate_forces(double elapsed);
+  void evaluate_forces(double elapsed, double made);
   bool choose_time_step();
   void note_speeds(const EnergySample& sample);
   /// State that a step after an edit writes before it moves the blocks, except the pairs and derived data.
@@ -412,15 +404,11 @@ class World {
   StableStep<D> stable_step_;
   PenetrationBound<D> penetration_bound_;
   ContinuousCollision<D> continuous_collision_;
-  Entrances<D> entrances_;
-  Array<PairSums> sums_;  // per chunk of pairs
+  ContactStage<D> contact_stage_;
   double peak_speed_ = 0;
   double bond_strain_energy_ = 0;
   double bolt_strain_energy_ = 0;
-  double left_out_strain_ = 0;        // of the contacts that sleep leaves out
-  bool are_left_out_loaded_ = false;  // their forces are computed
   double strength_factor_ = 1;
-  double made_ = 0;                   // duration of the last motion, during detection at its end; else 0
   int motions_ = 0;                   // that the present step has made
   std::int64_t first_iteration_ = 0;  // of the present step
   std::int32_t edited_ = 1;           // 1: forces, accelerations and ledger are out of date

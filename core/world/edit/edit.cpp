@@ -24,7 +24,7 @@ std::int32_t World<D>::add_material(double density) {
 template <int D>
 void World<D>::change_laws() {
   contacts_.neighbors().invalidate();  // shear springs may be needed now
-  forget_contacts();
+  contact_stage_.forget();
   edit();
 }
 
@@ -69,7 +69,7 @@ void World<D>::remove_block(std::int32_t slot) {
   contacts_.neighbors().forget(slot);
   hard_contacts_.forget(slot);
   integrator_.forget_reaction();
-  forget_contacts();
+  contact_stage_.forget();
   edit();
   sleep_.forget(std::size_t(slot));
 }
@@ -84,7 +84,7 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
   } else {
     contacts_.neighbors().note_placement(blocks, std::size_t(slot));
   }
-  forget_contacts();
+  contact_stage_.forget();
   edit();
 }
 
@@ -118,7 +118,7 @@ template <int D>
 void World<D>::set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
   model_.blocks.deform(slot, gradient, rate);
   contacts_.neighbors().note_placement(model_.blocks, std::size_t(slot));
-  forget_contacts();
+  contact_stage_.forget();
   edit();
 }
 

@@ -25,7 +25,7 @@ template <int D>
 bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
   if (a > b) std::swap(a, b);
   Blocks<D>& blocks = model_.blocks;
-  Memory* memory = sums_.get_allocator().resource();
+  Memory* memory = own_memory();
   if (blocks.are_joined(std::size_t(a), std::size_t(b))) return false;
   const std::optional<CommonFace<D>> face = common_face(blocks, a, b, memory);
   if (!face) return false;
@@ -90,7 +90,7 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
 /// nothing has changed when memory runs out.
 template <int D>
 std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
-  NeighborList<D> own(threads_, sums_.get_allocator().resource());
+  NeighborList<D> own(threads_, own_memory());
   const bool is_list_in_use = !contacts_.neighbors().needs_rebuild();
   if (!is_list_in_use) {
     own.search_again(model_.blocks, {model_.settings.skin}, false);

@@ -41,7 +41,7 @@ void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
 template <int D>
 MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                                       std::span<const std::int32_t> cell_materials) {
-  Memory* memory = sums_.get_allocator().resource();
+  Memory* memory = own_memory();
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
   const Body<D>& of_body = meshes.body(body);
@@ -84,7 +84,7 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
                               std::span<const std::int32_t> cell_materials) {
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
-  const Array<SurfaceSimplex<D>> simplices = surface_simplices(mesh, sums_.get_allocator().resource());
+  const Array<SurfaceSimplex<D>> simplices = surface_simplices(mesh, own_memory());
   contacts_.make_room_for_blocks(blocks.slot_count() + simplices.size());
   PlacedMesh placed;
   placed.body = meshes.add(mesh, pose, cell_materials, model_.materials.bulk());
@@ -107,7 +107,7 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
     return placed;
   }
   for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body)) note_added(cell.block);
-  forget_contacts();
+  contact_stage_.forget();
   edit();
   return placed;
 }

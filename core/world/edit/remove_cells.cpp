@@ -85,7 +85,7 @@ void World<D>::release(std::int32_t which, const Array<std::uint8_t>& is_gone,
 template <int D>
 MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::int32_t> cells,
                                        std::span<Vector<D>> released) {
-  Memory* memory = sums_.get_allocator().resource();
+  Memory* memory = own_memory();
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
   Array<std::uint8_t> is_gone(std::size_t(meshes.body(which).cell_count), 0, memory);
@@ -128,7 +128,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   weigh_surface(which, bearing);
   blocks.bonds().rings().invalidate();
   contacts_.neighbors().invalidate();
-  forget_contacts();
+  contact_stage_.forget();
   edit();
   return report;
 }

@@ -58,7 +58,7 @@ struct RestMonitor {
 /// If there is no stable time step, no block moves freely, and nothing is unbalanced.
 template <int D>
 Balance World<D>::balance() {
-  BalanceRoom room(model_.blocks, sums_.get_allocator().resource());
+  BalanceRoom room(model_.blocks, own_memory());
   if (prepare() != StepResult::ok) return {};
   return balance_of(model_, contacts_, forces_, hard_contacts_, integrator_, room);
 }
@@ -100,7 +100,7 @@ bool World<D>::leaves_room_for_damping(double time_step) {
 template <int D>
 Relaxed World<D>::relax(const Relaxation& relaxation) {
   const bool leaves_room = leaves_room_for_damping(model_.settings.time_step);
-  Memory* memory = sums_.get_allocator().resource();
+  Memory* memory = own_memory();
   RestMonitor<D> monitor(model_, memory);
   const auto known = [&] { return std::tuple_cat(state(), integrator_.state()); };
   const auto before = copies_of(known(), memory);

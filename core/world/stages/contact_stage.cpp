@@ -1,0 +1,237 @@
+#include "world/stages/contact_stage.h"
+
+#include <algorithm>
+
+namespace halfspace {
+
+template <int D>
+ContactStage<D>::ContactStage(const Model<D>& model, ContactList<D>& contacts, ForcePass<D>& forces,
+                              HardContacts<D>& hard_contacts, PenetrationBound<D>& penetration_bound,
+                              ContinuousCollision<D>& continuous_collision, const Sleep<D>& sleep,
+                              Share& share, EnergyLedger& ledger, Threads* threads, Memory* memory)
+    : model_(model),
+      contacts_(contacts),
+      forces_(forces),
+      hard_contacts_(hard_contacts),
+      penetration_bound_(penetration_bound),
+      continuous_collision_(continuous_collision),
+      sleep_(sleep),
+      share_(share),
+      ledger_(ledger),
+      threads_(threads),
+      entrances_(model, contacts, memory),
+      sums_(memory) {}
+
+template <int D>
+void ContactStage<D>::fit_room() {
+  entrances_.fit_room();
+  sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
+}
+
+template <int D>
+void ContactStage<D>::forget() {
+  contacts_.forget();
+  forces_.forget();
+  hard_contacts_.forget_loads();
+}
+
+/// Calls `visit(chunk, sums)` for all pairs in the neighbour list.
+template <int D>
+template <class Visit>
+void ContactStage<D>::pass_over_pairs(Visit visit) {
+  const std::size_t pairs = contacts_.neighbors().pairs().size();
+  sum_each_chunk(threads_, pairs, pairs_per_chunk, sums_, visit);
+}
+
+/// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
+/// the contact computed if is_described().
+template <int D>
+template <class OnContact>
+void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
+  Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
+  Contact<D> contact;
+  const bool some_have_no_spring = hard_contacts_.is_used();
+  for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+    if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
+    if (sleep_.leaves_out(pairs[k])) {
+      contacts_.keep_as_it_was(k, chunk.begin, sums);
+      continue;
+    }
+    if (!share_.follows(pairs[k])) continue;
+    const double released = sums.released;
+    const Found found = contacts_.find(k, contact, sums);
+    if (!share_.counts(pairs[k])) sums.released = released;
+    if (found == Found::apart) continue;
+    const bool loads_own = share_.loads(pairs[k]);
+    const bool is_pressed = model_.law_of(pairs[k]).is_per_area();  // finds its face by its energy
+    if (found == Found::met && is_pressed && loads_own)
+      sums.max_penetration_ratio =
+          std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pairs[k]));
+    if (found == Found::met && !is_pressed) {
+      if (made > 0 && contacts_.is_described(pairs[k]))
+        continuous_collision_.find_entrance(pairs[k], made, chunk.worker);
+      contacts_.note_met(k, chunk.begin, sums);
+      if (loads_own) contacts_.keep(k, chunk.begin, sums);
+      continue;
+    }
+    if (loads_own) contacts_.keep(k, chunk.begin, contact, sums);
+    if (loads_own || pairs[k].bonded) on_contact(k, contact);
+  }
+}
+
+/// Determines the entry faces of pairs that have met.
+template <int D>
+void ContactStage<D>::find_entrances(double made) {
+  entrances_.begin(made);
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    for (const std::uint32_t k : contacts_.met_in(chunk, sums_[chunk])) {
+      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      if (contacts_.is_described(pair) && share_.loads(pair)) entrances_.ask(k);
+    }
+  }
+  for (const auto& [k, face] : entrances_.answers()) {
+    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    pair.witness.pair = face;
+    share_.note_entrance(pair);
+  }
+}
+
+/// Computes the new contacts, from those that existed before. Calls `on_contact(k, contact, sums)` for each.
+template <int D>
+template <class OnContact>
+void ContactStage<D>::take_in_met(double made, OnContact on_contact) {
+  find_entrances(made);
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    PairSums& sums = sums_[chunk];
+    for (const std::uint32_t k : contacts_.met_in(chunk, sums)) {
+      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      const bool loads_own = share_.loads(pair);
+      Contact<D> contact;
+      if (contacts_.is_described(pair)) {
+        entrances_.describe(k, contact);
+        if (loads_own) contacts_.note_overlap(k, contact, sums);
+      }
+      if (loads_own)
+        sums.max_penetration_ratio =
+            std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
+      if (loads_own || pair.bonded) on_contact(k, contact, sums);
+    }
+  }
+}
+
+template <int D>
+void ContactStage<D>::end_finding() {
+  contacts_.end(sums_);
+  for (const PairSums& sums : sums_) {
+    penetration_bound_.note(sums.max_penetration_ratio);
+    ledger_.add_friction_loss(sums.released);
+  }
+}
+
+template <int D>
+void ContactStage<D>::find() {
+  if (contacts_.are_found()) return;
+  forget();
+  pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
+    find_in(chunk, 0, sums, [](std::size_t, const Contact<D>&) {});
+  });
+  take_in_met(0, [](std::size_t, const Contact<D>&, PairSums&) {});
+  end_finding();
+}
+
+/// Computes the load of a pair. In a share, its energy may count elsewhere, and it may load copies only.
+template <int D>
+[[gnu::always_inline]] inline bool ContactStage<D>::load_pair(std::size_t k, const Contact<D>& contact,
+                                                              Evaluation& evaluation) {
+  const ContactEnergy energy = evaluation.energy;
+  const std::int32_t last_block = evaluation.last_block;
+  const double peak_overlap = evaluation.peak_overlap;
+  const bool is_loaded = forces_.load(k, contact, evaluation);
+  if (share_.is_whole()) return is_loaded;
+  const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+  if (!share_.counts(pair)) evaluation.energy = energy;
+  if (!share_.loads(pair)) {
+    evaluation.last_block = last_block;
+    evaluation.peak_overlap = peak_overlap;
+  }
+  return is_loaded;
+}
+
+/// Loads the contacts of a chunk of pairs, which are found in the same pass unless they are known.
+template <int D>
+void ContactStage<D>::load_found(const Chunk& chunk, double made, bool are_found, PairSums& sums,
+                                 Evaluation evaluation) {
+  evaluation.worker = chunk.worker;
+  const auto load = [&](std::size_t k, const Contact<D>& contact) {
+    if (!load_pair(k, contact, evaluation)) contacts_.note_without_plan(k, chunk.begin, sums);
+  };
+  if (are_found) {
+    Contact<D> contact;
+    for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
+      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+      if (contacts_.is_described(pair)) contacts_.describe(pair, contact);
+      load(k, contact);
+    }
+  } else {
+    find_in(chunk, made, sums, load);
+  }
+  sums.energy = evaluation.energy;
+  sums.peak_overlap = std::max(sums.peak_overlap, evaluation.peak_overlap);
+  sums.last_block = std::max(sums.last_block, evaluation.last_block);
+}
+
+template <int D>
+void ContactStage<D>::load(double elapsed, double made) {
+  if (sleep_.any() && !are_sleeping_loaded_) load_sleeping();
+  const bool are_found = contacts_.are_found();
+  if (!are_found) forget();
+  const Evaluation common = forces_.begin(elapsed);
+  pass_over_pairs(
+      [&](const Chunk& chunk, PairSums& sums) { load_found(chunk, made, are_found, sums, common); });
+  // In order, as new division plans share their memory.
+  const auto load_in_order = [&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
+    Evaluation evaluation = common;
+    evaluation.makes_plans = true;
+    load_pair(k, contact, evaluation);
+    sums.energy.add(evaluation.energy);
+    sums.last_block = std::max(sums.last_block, evaluation.last_block);
+  };
+  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
+    for (const std::uint32_t k : contacts_.without_plan_in(chunk, sums_[chunk]))
+      load_in_order(k, {}, sums_[chunk]);
+  }
+  if (are_found) return;
+  take_in_met(made, load_in_order);
+  end_finding();
+}
+
+/// The forces of all contacts on each block, and their energies.
+template <int D>
+void ContactStage<D>::gather() {
+  forces_.gather(sums_);
+  ContactEnergy energy;
+  if (sleep_.any()) energy.strain = strain_of_sleeping_;
+  for (const PairSums& sums : sums_) energy.add(sums.energy);
+  ledger_.set_contact_strain(energy.strain);
+  ledger_.add_friction_loss(energy.friction_loss);
+}
+
+/// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.
+template <int D>
+void ContactStage<D>::load_sleeping() {
+  Evaluation evaluation = forces_.begin(0);
+  const Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
+  Contact<D> contact;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!sleep_.leaves_out(pairs[k]) || !contacts_.was_in_contact(pairs[k])) continue;
+    if (contacts_.is_described(pairs[k])) contacts_.describe(pairs[k], contact);
+    forces_.load(k, contact, evaluation);
+  }
+  strain_of_sleeping_ = evaluation.energy.strain;
+  are_sleeping_loaded_ = true;
+}
+
+template class ContactStage<2>;
+template class ContactStage<3>;
+
+}  // namespace halfspace
