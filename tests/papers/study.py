@@ -74,6 +74,16 @@ class Words:
         return f"{self.name}: {self.ours}" + ("" if self.holds else f"   NOT {self.expected}")
 
 
+@dataclasses.dataclass(frozen=True)
+class Told:
+    """What is only printed."""
+    words: str
+    holds = True
+
+    def __str__(self):
+        return self.words
+
+
 class Run:
     """The history of a run, of its last stage, as columns; and its contacts."""
 
@@ -149,6 +159,9 @@ class Study:
 
     def agree(self, name, ours, expected):
         self.values.append(Words(name, ", ".join(ours), ", ".join(expected)))
+
+    def tell(self, words):
+        self.values.append(Told(words))
 
     def exceeds(self, name, larger, smaller):
         self.values.append(Order(name, float(larger), float(smaller)))

@@ -104,6 +104,7 @@ def repose(study):
     stiff = {f"default_law__{name}": 1e8 for name in ("normal_stiffness", "shear_stiffness")}
     elastic = {"material__grain__young_modulus": 1e7, "material__grain__poisson_ratio": 0.3,
                "triangulated__grain__kind": "affine"}
+    slopes = []
     for kind, name, settings in (("mesh", "rigid, K 10 MN/m, 20 us", {}),
                                  ("rigid", "rigid, K 100 MN/m", {"world__time_step": "", **stiff}),
                                  ("affine", "affine, K 100 MN/m", {"world__time_step": "", **stiff, **elastic})):
@@ -111,11 +112,12 @@ def repose(study):
         x, height = slope.surface(slope.read_grains(run.frames()[-1]))
         study.draw(kind, x, height, label=name)
         top = int(height.argmax())
-        for side, part in (("left", slice(None, top + 1)), ("right", slice(top, None))):
-            angle, _ = slope.flank_angle(x[part], height[part], height[top])
-            # Heaps of so few grains scatter by some degrees (docs/measured/slopes_and_heaps.md).
-            study.compare(f"{name}: {side} slope, degrees", angle, 25, 5)
+        sides = [slope.flank_angle(x[part], height[part], height[top])[0]
+                 for part in (slice(None, top + 1), slice(top, None))]
+        study.tell(f"{name}: slopes {sides[0]:.1f} and {sides[1]:.1f} degrees")
+        slopes += sides
+    # Ten slopes of heaps of 360 grains had a standard deviation of 3.3 degrees: the mean of six has 1.35.
+    study.compare("mean slope, degrees", np.mean(slopes), 25, 2.7)
     for side in (-1, 1):
         study.expect([0, side * 0.45], [0.21, 0.21 - 0.45 * math.tan(math.radians(25))])
-    study.axes[0].set_aspect("equal")
     study.finish("Wang 2021, figure 22: surface of the heap, and 25 degrees", "x, m", "y, m")

@@ -136,7 +136,7 @@ TEST_CASE("by potentials an inner face takes two triangles off the force on a bl
   check(one_plate, square, 0, 0);
   check(two_plates, square, 1, place);  // the force that is missing at x = 0 turns the block
   check(one_plate, halves, 1, 0);
-  // Both faces, unless they lie above each other: then a cell would be lost twice, in both potentials.
+  // The plate's potential loses at its inner face, and that of the halves at theirs.
   check(two_plates, halves, 2, place);
 }
 

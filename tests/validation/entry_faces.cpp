@@ -18,9 +18,9 @@ constexpr double time_step = 0.02;
 /// The tip is the deepest vertex behind both faces, and its edges are nowhere in the way of the block's
 /// corner.
 const Points kite = {{0, 0}, {-0.4, 1}, {-1, 0.4}};
+constexpr double kite_area = 0.42;
 const Corners spike = {{0, 0, 0}, {-1, -0.4, 0.4}, {-0.4, -1, 0.4}, {-0.4, -0.4, 1}};
 
-/// Of one third to three times the path that a corner's spring lets a tip go, in steps.
 hs_law_def law_of(int32_t kind) {
   hs_law_def law = spring_law(kind == HS_STIFFNESS_PER_CONTACT ? 2e3 : 2e4);
   law.stiffness_kind = kind;
@@ -164,7 +164,8 @@ TEST_CASE(
 }
 
 /// Both planes are crossed at once. Per contact either face may push; which one rounding and the numbering of
-/// the vertices decide. By potentials the force is as symmetric as the blocks.
+/// the vertices decide. By potentials the force is as symmetric as the blocks: to 16 roundings of places
+/// about 1 m away, over an overlap of up to 0.1 m and half a second.
 TEST_CASE("two faces entered in one step: along the bisector of a corner one of them, or both alike, push") {
   const Entry entry{{0.03, 0.03, 0}, {0.5, 0.5, 0}};
   const Triple inwards = {1, -1, 0};
@@ -172,7 +173,7 @@ TEST_CASE("two faces entered in one step: along the bisector of a corner one of 
     const Rebound found = rebound_in_plane(entry, HS_STIFFNESS_PER_CONTACT, inwards, numbered_from, false);
     check_push(found, std::abs(found.normal[1]) > 0.5 ? 1 : 0, inwards);
     const Rebound alike = rebound_in_plane(entry, HS_STIFFNESS_POTENTIAL, inwards, numbered_from, false);
-    CHECK(std::abs(alike.change[0] + alike.change[1]) <= 1e3 * rounding);
+    CHECK(std::abs(alike.change[0] + alike.change[1]) <= 2e4 * 16 * rounding * 0.1 * 0.5 / kite_area);
     CHECK(alike.change[1] > 0.1);
   }
 }
