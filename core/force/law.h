@@ -37,6 +37,26 @@ struct ContactLaw {
   bool is_damped() const { return !has_no_spring() && normal_damping + shear_damping > 0; }
   bool is_per_area() const { return stiffness_kind == StiffnessKind::per_area; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
+  /// The stiffness of two aligned faces along their normal, N/m. `area`: of both, in 2D their length. By
+  /// potentials they repel each other like springs per area of 2 k / H, with the potential length H.
+  double face_stiffness(double area, double potential_length) const {
+    switch (stiffness_kind) {
+      case StiffnessKind::per_contact:
+        return normal_stiffness;
+      case StiffnessKind::per_area:
+        return normal_stiffness * area;
+      case StiffnessKind::potential:
+        return 2 * normal_stiffness / potential_length * area;
+      case StiffnessKind::none:
+        break;
+    }
+    return 0;
+  }
+  /// The same along the faces.
+  double face_shear_stiffness(double area) const {
+    if (has_no_spring()) return 0;
+    return is_per_area() ? shear_stiffness * area : shear_stiffness;
+  }
   bool bonds() const { return cohesion > 0 || tensile_strength > 0; }
   /// The same law with all strengths divided by a factor.
   ContactLaw weaker_by(double factor) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/loads/bolt_pass.h"
 #include "world/relaxation/strength.h"
 
 namespace halfspace {
@@ -16,8 +15,6 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       contacts_(model_, threads, memory),
       forces_(model_, contacts_, threads, memory),
       share_(memory),
-      bond_pass_(model_),
-      water_pass_(model_, forces_, share_, threads, memory),
       sleep_(memory),
       integrator_(model_, contacts_.neighbors(), forces_, sleep_, share_, threads, memory),
       hard_contacts_(model_, contacts_, integrator_, memory),
@@ -26,7 +23,8 @@ World<D>::World(const WorldSettings<D>& settings, Memory* memory, Threads* threa
       continuous_collision_(model_, contacts_, integrator_, clock_, stable_step_, penetration_bound_,
                             worker_count(threads), memory),
       contact_stage_(model_, contacts_, forces_, hard_contacts_, penetration_bound_, continuous_collision_,
-                     sleep_, share_, ledger_, threads, memory) {}
+                     sleep_, share_, ledger_, threads, memory),
+      load_stage_(model_, contacts_, forces_, share_, ledger_, threads, memory) {}
 
 template <int D>
 void World<D>::make_bonds() {
@@ -53,7 +51,7 @@ void World<D>::fit_rooms() {
   continuous_collision_.fit_room();
   forces_.fit_rooms();
   hard_contacts_.fit_room();
-  if (!model_.water.empty()) water_pass_.fit_room();
+  load_stage_.fit_room();
   contact_stage_.fit_room();
 }
 
@@ -75,7 +73,7 @@ void World<D>::renew_neighbors(int renewals) {
   fit_rooms();
   neighbors.renew(model_.blocks, with_shear);
   share_.find_rings(neighbors.pairs());
-  if (!bonds.empty()) bond_pass_.hand_over(contacts_);
+  load_stage_.hand_over_bonds();
   contact_stage_.forget();
   contact_stage_.forget_sleeping();
 }
@@ -103,12 +101,7 @@ void World<D>::evaluate_forces(double elapsed, double made) {
   // A touched island has slept in this motion: the forces at its end move it. Impulses do so in move().
   if (!hard_contacts_.is_used()) wake_touched(clock_.time() + elapsed);
   lap(Pass::gather);
-  load_by_water_and_bolts();
-  if (!model_.blocks.bonds().empty()) {
-    load_by_bonds(elapsed);
-    lap(Pass::bonds);
-  }
-  forces_.load_compounds();
+  load_stage_.load(clock_.steps(), clock_.time() + elapsed, stopwatch_);
 }
 
 /// Worlds without springs whose contacts are points do not sleep, nor do those with motions or loads in time.
@@ -122,31 +115,6 @@ void World<D>::look_for_sleep() {
   const auto bound_of = [&](std::size_t i) { return integrator_.speed_bound_with_impulses_of(i); };
   if (sleep_.look(model_, touches, clock_.time(), least_sleep_in_steps * clock_.time_step(), bound_of))
     contact_stage_.forget_sleeping();
-}
-
-/// Call after the contact forces. Detection includes separated bonds from the next motion on.
-template <int D>
-void World<D>::load_by_bonds(double elapsed) {
-  BondEnergy energy;
-  if (bond_pass_.load(clock_.steps(), clock_.time() + elapsed, energy)) contacts_.neighbors().invalidate();
-  bond_strain_energy_ = energy.strain;
-  ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
-  ledger_.add_fracture_loss(energy.fracture_loss);
-  ledger_.add_friction_loss(energy.friction_loss);
-}
-
-/// Call after the contact forces.
-template <int D>
-void World<D>::load_by_water_and_bolts() {
-  ledger_.set_water(model_.water.empty() ? 0 : water_pass_.load());
-  if (!model_.water.empty()) lap(Pass::water);
-  bolt_strain_energy_ = 0;
-  if (model_.bolts.empty()) return;
-  const BoltEnergy energy = load_by_bolts(model_, forces_);
-  bolt_strain_energy_ = energy.strain;
-  ledger_.set_contact_strain(ledger_.entries().strain + energy.strain);
-  ledger_.add_bolt_loss(energy.loss);
-  lap(Pass::bolts);
 }
 
 template <int D>

@@ -8,12 +8,10 @@
 
 #include "block/mesh/surface.h"
 #include "threads/interrupt.h"
-#include "world/contacts/bond_pass.h"
 #include "world/contacts/contact_list.h"
 #include "world/contacts/force_pass.h"
 #include "world/hard_contact/hard_contacts.h"
 #include "world/ledger.h"
-#include "world/loads/water_pass.h"
 #include "world/model/model.h"
 #include "world/motion/clock.h"
 #include "world/motion/continuous_collision.h"
@@ -25,6 +23,7 @@
 #include "world/share/block_record.h"
 #include "world/share/share.h"
 #include "world/stages/contact_stage.h"
+#include "world/stages/load_stage.h"
 #include "world/stopwatch.h"
 
 namespace halfspace {
@@ -254,8 +253,8 @@ class World {
   }
   std::int64_t divided_steps() const { return clock_.divided_steps(); }
   const Bonds<D>& bonds() const { return model_.blocks.bonds(); }
-  double bond_strain_energy() const { return bond_strain_energy_; }
-  double bolt_strain_energy() const { return bolt_strain_energy_; }
+  double bond_strain_energy() const { return load_stage_.bond_strain(); }
+  double bolt_strain_energy() const { return load_stage_.bolt_strain(); }
   const Meshes<D>& meshes() const { return model_.blocks.meshes(); }
   /// After StepResult::inverted.
   const InvertedCell& inverted_cell() const { return integrator_.inverted(); }
@@ -298,8 +297,7 @@ class World {
   template <class Archive>
   void visit(Archive& archive) {
     archive(model_, contacts_, forces_, integrator_, ledger_, clock_, penetration_bound_, peak_speed_,
-            bond_strain_energy_, bolt_strain_energy_, strength_factor_, hard_contacts_, sleep_, edited_,
-            share_);
+            load_stage_, strength_factor_, hard_contacts_, sleep_, edited_, share_);
   }
 
  private:
@@ -320,8 +318,6 @@ class World {
   void renew_neighbors(int renewals = 0);
   void renew_neighbors_if_needed();
   bool bond_pair(std::int32_t a, std::int32_t b, std::int32_t law);
-  void load_by_bonds(double elapsed);
-  void load_by_water_and_bolts();
   /// Calls `visit(a, b)` for all blocks in touch or connected by a bolt.
   template <class Visit>
   void for_each_touch(Visit visit) const {
@@ -349,7 +345,7 @@ class World {
   auto state() {
     return std::tuple_cat(contacts_.state(), forces_.state(), ledger_.state(), clock_.epoch(),
                           model_.blocks.bonds().state(), model_.blocks.meshes().state(), model_.bolts.state(),
-                          std::tie(peak_speed_, bond_strain_energy_, bolt_strain_energy_, edited_));
+                          load_stage_.state(), std::tie(peak_speed_, edited_));
   }
   bool predict_motion(double duration);
   void predict_actions(double duration);
@@ -396,8 +392,6 @@ class World {
   ContactList<D> contacts_;
   ForcePass<D> forces_;
   Share share_;
-  BondPass<D> bond_pass_;
-  WaterPass<D> water_pass_;
   Sleep<D> sleep_;
   Integrator<D> integrator_;
   HardContacts<D> hard_contacts_;
@@ -405,9 +399,8 @@ class World {
   PenetrationBound<D> penetration_bound_;
   ContinuousCollision<D> continuous_collision_;
   ContactStage<D> contact_stage_;
+  LoadStage<D> load_stage_;
   double peak_speed_ = 0;
-  double bond_strain_energy_ = 0;
-  double bolt_strain_energy_ = 0;
   double strength_factor_ = 1;
   int motions_ = 0;                   // that the present step has made
   std::int64_t first_iteration_ = 0;  // of the present step

@@ -20,10 +20,8 @@ class Springs {
   double stiffness(const Body& a, const Body& b) const {
     const hs_law_def& law = law_between(scene_, a.state.material, b.state.material);
     const double section = std::min(a.volume / a.thickness, b.volume / b.thickness);
-    if (law.stiffness_kind == HS_STIFFNESS_NONE) return HUGE_VAL;  // no penetration
-    if (law.stiffness_kind == HS_STIFFNESS_PER_AREA) return law.normal_stiffness * section;
-    if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) return 2 * law.normal_stiffness / length_ * section;
-    return law.normal_stiffness;
+    if (has_no_spring(law)) return HUGE_VAL;  // no penetration
+    return law.normal_stiffness * normal_per_face(law.stiffness_kind, section, length_);
   }
 
  private:

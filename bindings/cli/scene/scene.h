@@ -434,6 +434,17 @@ inline bool has_spring(const hs_law_def& law) { return law.stiffness_kind != HS_
 inline bool has_no_spring(const hs_law_def& law) { return !has_spring(law); }
 inline bool holds_together(const hs_law_def& law) { return law.cohesion > 0 || law.tensile_strength > 0; }
 
+/// Stiffnesses of two aligned faces, along their normal and along them, over those of a law: area of both, in
+/// 2D their length, where these are per area. By potentials faces repel each other like springs per area of
+/// 2 k / H.
+inline double normal_per_face(int stiffness_kind, double area, double potential_length) {
+  if (stiffness_kind == HS_STIFFNESS_PER_AREA) return area;
+  return stiffness_kind == HS_STIFFNESS_POTENTIAL ? 2 * area / potential_length : 1;
+}
+inline double shear_per_face(int stiffness_kind, double area) {
+  return stiffness_kind == HS_STIFFNESS_PER_AREA ? area : 1;
+}
+
 /// The law that the blocks of two materials follow.
 inline const hs_law_def& law_between(const Scene& scene, int a, int b) {
   for (const PairLaw& pair : scene.laws) {

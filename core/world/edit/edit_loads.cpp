@@ -8,7 +8,7 @@ namespace halfspace {
 
 template <int D>
 void World<D>::set_water(WaterTable<D>&& table, double density) {
-  if (!table.empty()) water_pass_.fit_room();
+  if (!table.empty()) load_stage_.fit_water();
   model_.water.set(std::move(table), density);
   edit();
 }

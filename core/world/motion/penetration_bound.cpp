@@ -17,11 +17,8 @@ double PenetrationBound<D>::section(std::size_t i) const {
 /// Force per penetration of two blocks in face contact, N/m.
 template <int D>
 double PenetrationBound<D>::stiffness_between(const Candidate<D>& pair) const {
-  const ContactLaw& law = model_.law_of(pair);
-  if (law.stiffness_kind == StiffnessKind::per_contact) return law.normal_stiffness;
   const double area = std::min(section(std::size_t(pair.a)), section(std::size_t(pair.b)));
-  return area *
-         (law.is_potential() ? 2 * law.normal_stiffness / model_.potential_length() : law.normal_stiffness);
+  return model_.law_of(pair).face_stiffness(area, model_.potential_length());
 }
 
 /// The contact of two blocks, at their nearest features if they are separated.

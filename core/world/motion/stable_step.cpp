@@ -19,18 +19,8 @@ double largest_base(double radius) {
 template <int D>
 double StableStep<D>::largest_stiffness(const ContactLaw& law, std::size_t slot,
                                         double potential_length) const {
-  const double spring = std::max(law.normal_stiffness, law.shear_stiffness);
-  switch (law.stiffness_kind) {
-    case StiffnessKind::none:
-      return 0;
-    case StiffnessKind::per_area:
-      return spring * blocks_.largest_face[slot];
-    case StiffnessKind::potential:
-      return std::max(2 * law.normal_stiffness / potential_length * largest_base<D>(blocks_.radius[slot]),
-                      law.shear_stiffness);
-    default:
-      return spring;
-  }
+  const double area = law.is_potential() ? largest_base<D>(blocks_.radius[slot]) : blocks_.largest_face[slot];
+  return std::max(law.face_stiffness(area, potential_length), law.face_shear_stiffness(area));
 }
 
 /// The maximum stiffness and viscosity of any contact of a block: with a much heavier one.

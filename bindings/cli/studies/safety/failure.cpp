@@ -21,8 +21,8 @@ double size_of(const BlockFrame& block) {
 /// The elastic shear displacement of a contact before it slips, and the compression of its normal spring, m.
 double yield_of(const hs_contact& contact, const hs_law_def& law) {
   if (!has_spring(law)) return 0;
-  const double area = law.stiffness_kind == HS_STIFFNESS_PER_AREA ? contact.area : 1;
-  const double shear = (law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness) * area;
+  const double shear = (law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness) *
+                       shear_per_face(law.stiffness_kind, contact.area);
   const double limit =
       std::tan(law.friction_angle) * std::max(contact.normal_force, 0.0) + law.cohesion * contact.area;
   return (shear > 0 ? limit / shear : 0) + std::max(-contact.gap, 0.0);

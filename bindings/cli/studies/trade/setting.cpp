@@ -24,22 +24,6 @@ double perimeter(const std::vector<Point>& loop) {
   return around;
 }
 
-/// The factor from a stiffness of one kind to that of two aligned faces, N/m. Potentials push them apart like
-/// a stiffness per area of 2 k / H.
-double per_face(int kind, double area, double potential_length) {
-  switch (kind) {
-    case HS_STIFFNESS_PER_AREA:
-      return area;
-    case HS_STIFFNESS_POTENTIAL:
-      return 2 * area / potential_length;
-    default:
-      return 1;
-  }
-}
-
-/// The shear spring of potentials is one per contact, as their friction is.
-double shear_per_face(int kind, double area) { return kind == HS_STIFFNESS_PER_AREA ? area : 1; }
-
 /// Laws without a spring get one as stiff as a layer of cells.
 void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
   if (kind == law.stiffness_kind) return;
@@ -47,13 +31,13 @@ void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
   const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : law.normal_stiffness;
   const double normal_of_face =
       had_none ? face.stiffness
-               : law.normal_stiffness * per_face(law.stiffness_kind, face.area, face.potential_length);
+               : law.normal_stiffness * normal_per_face(law.stiffness_kind, face.area, face.potential_length);
   const double shear_of_face =
       had_none ? face.stiffness : shear * shear_per_face(law.stiffness_kind, face.area);
   law.stiffness_kind = kind;
   if (kind == HS_STIFFNESS_NONE) return;  // it reads neither stiffnesses nor dampings
   law.restitution = 0;                    // not allowed with springs
-  law.normal_stiffness = normal_of_face / per_face(kind, face.area, face.potential_length);
+  law.normal_stiffness = normal_of_face / normal_per_face(kind, face.area, face.potential_length);
   law.shear_stiffness = shear_of_face / shear_per_face(kind, face.area);
   if (kind == HS_STIFFNESS_POTENTIAL) law.cohesion = law.tensile_strength = 0;
 }
