@@ -169,9 +169,10 @@ class Study:
     def compare(self, name, ours, expected, tolerance):
         self.values.append(Value(name, float(ours), float(expected), float(tolerance)))
 
-    def draw(self, kind, x, y, panel=0, label=None):
+    def draw(self, kind, x, y, panel=0, label=None, style="-"):
         """A curve of ours with about 25 markers; without a label in the legend where it is None."""
-        self.axes[panel].plot(x, y, linewidth=0.7, markevery=max(1, len(x) // 25), label=label, **OURS[kind])
+        self.axes[panel].plot(x, y, linestyle=style, linewidth=0.7, markevery=max(1, len(x) // 25), label=label,
+                              **OURS[kind])
 
     def expect(self, x, y, panel=0, label=None, style="-"):
         self.axes[panel].plot(x, y, style, color="black", linewidth=1, label=label)

@@ -1,9 +1,10 @@
-"""Li et al. 2015, section 5, as written, along one dimension: what becomes of the momentum of two bars that collide.
+"""Li et al. 2015, section 5, along one dimension: what becomes of the momentum of two bars that collide.
 
 Each bar is one element, whose two nodes have half its mass each. From the touch on both bars are divided: at the
 distance that a wave runs in the rest dt2 of the step. The two parts move in short steps between the initial nodes,
-whose velocities are fixed (step 3); their forces on the initial nodes are given back to them (step 5). So the node
-between has mass that the initial nodes have, too: what it takes up or gives off is no momentum of the bars.
+whose velocities are fixed (step 3); their forces on the initial nodes are given back to them (step 5). The text does not
+say whose mass the node between has. Here the initial nodes keep theirs, as their own step needs: what the node between
+takes up or gives off is no momentum of the bars.
 """
 import numpy as np
 
@@ -50,6 +51,6 @@ def momentum_of_bars(lengths, share, steps=40):
         contact += acceleration * duration
         momenta.append((striker.mass_of_node * striker.outer + struck.mass_of_node * struck.outer + both * contact)
                        / (2 * striker.mass_of_node * SPEED))
-        if step > 2 and struck.mass_of_node * acceleration < forces[1, 0]:  # tension, equation 6
+        if struck.mass_of_node * acceleration < forces[1, 0]:  # tension, equation 6
             break
     return np.array(momenta)

@@ -38,7 +38,7 @@ def slider(study):
     """Section 4.1, figure 14."""
     sliders(study, "papers/wang_slider", (15, 30) if study.quick else (15, 20, 25, 30), 5,
             ("slider.x", "slider.z"), 1e-6)
-    study.finish("Wang 2021, figure 14: friction of 15, 20, 25, 30 degrees", "time, s", "displacement, m")
+    study.finish("After Wang 2021, figure 14: friction of 15, 20, 25, 30 degrees", "time, s", "displacement, m")
 
 
 def types_in_order(run):
@@ -58,45 +58,58 @@ def cube(study):
     time = np.linspace(0, math.sqrt(2 * (start - 0.8) / GRAVITY), 20)
     study.expect(time, start - GRAVITY * time**2 / 2, label="free fall")
     study.expect([1.4, run["time"][-1]], [0.5, 0.5])
-    study.finish("Wang 2021, figure 16: a cube falls on a block", "time, s", "height of the centroid, m")
+    study.finish("After Wang 2021, figure 16: a cube falls on a block", "time, s", "height of the centroid, m")
 
 
 def edges(study):
-    """Section 4.2, figure 18."""
-    speed, arm = math.sqrt(2 * GRAVITY * 0.1), 0.3
+    """Section 4.2, figure 18. A cube of 1 m has an inertia of a sixth of its mass."""
+    speed, arm, height = math.sqrt(2 * GRAVITY * 0.1), 0.3, math.sqrt(0.5)
+    touch = math.sqrt(2 * 0.1 / GRAVITY)
+    smooth = 2 / (1 + 6 * arm**2) - 1  # rebound of an impact without loss and without friction, over the speed
+    # The same where friction holds the edge: its impulse is 0.32 of the normal one, which tan 30 degrees permits.
+    rough = 2 / (1 + 6 * arm**2 - (6 * arm * height)**2 / (1 + 6 * height**2)) - 1
     for kind in ("rigid",) if study.quick else ("rigid", "affine"):
         run = study.run("papers/wang_edges", block__upper__kind=kind)
         study.draw(kind, run["time"], run["upper.z"], label=kind)
         study.agree(f"{kind}: first contact type", types_in_order(run)[:1], ["edge-edge"])
-    smooth = study.run("papers/wang_edges", default_law__friction_angle=0)
-    # An impact without loss at a corner whose arm is 0.3 m; a cube of 1 m has an inertia of a sixth of its mass.
-    rebound = speed * (2 / (1 + 6 * arm**2) - 1)
-    touch = math.sqrt(2 * 0.1 / GRAVITY)
-    study.compare("without friction: velocity 0.05 s after the impact, m/s", smooth.at(touch + 0.05, "upper.vz"),
-                  rebound - GRAVITY * 0.05, 0.01 * speed)
+        study.exceeds(f"{kind}: height at the impact and at the end, m", run.at(touch, "upper.z"), run["upper.z"][-1])
+        found = run.at(touch + 0.02, "upper.vz") + 0.02 * GRAVITY
+        if kind == "rigid":
+            study.compare("rigid: velocity after the impact, m/s", found, speed * rough, 0.01 * speed)
+        else:
+            study.tell(f"affine: velocity after the impact: {found:.3f} m/s")
+    without = study.run("papers/wang_edges", default_law__friction_angle=0)
+    study.compare("without friction: velocity after the impact, m/s",
+                  without.at(touch + 0.02, "upper.vz") + 0.02 * GRAVITY, speed * smooth, 0.01 * speed)
     time = np.linspace(0, touch, 20)
     study.expect(time, run["upper.z"][0] - GRAVITY * time**2 / 2, label="free fall")
-    study.finish("Wang 2021, figure 18: an edge falls on an edge", "time, s", "height of the centroid, m")
+    study.finish("After Wang 2021, figure 18: an edge falls on an edge", "time, s", "height of the centroid, m")
 
 
 def small_edge(study):
-    """Section 4.3, figure 20: the vertex, by springs and by the potentials of Zheng 2020."""
+    """Section 4.3, figure 20: the vertex, by springs and by the potentials of Zheng 2020.
+
+    A vertex has half of K (docs/decisions/springs_at_corners.md): with twice the stiffness it has the paper's.
+    """
     for panel, (case, x) in enumerate((("case 1", 0), ("case 2", 0.03))):
         settings = {"block__square__shift": f"[{x}, 0]", "output__tracked[1]__at": f"[{x}, 0.05]"}
-        for kind in ("rigid",) if study.quick else ("rigid", "affine"):
-            springs = study.run("papers/wang_small_edge", block__square__kind=kind, **settings)
-            study.draw(kind, springs["vertex.x"], springs["vertex.y"], panel, f"springs, {kind}, 0.4 s")
-            if panel == 0:
-                study.compare(f"{case}, {kind}: way to the side, m", np.abs(springs["vertex.x"]).max(), 0, 1e-9)
-                study.exceeds(f"{case}, {kind}: velocity upwards at 0.2 s, m/s", springs.at(0.2, "square.vy"), 0)
-            else:
-                study.exceeds(f"{case}, {kind}: velocity to the right at 0.2 s, m/s", springs.at(0.2, "square.vx"), 0)
         potentials = study.run("papers/zheng_small_edge", **settings)
+        for kind, stiffness in (("rigid", 5e6), ("rigid", 1e7)) + (() if study.quick else (("affine", 5e6),)):
+            run = study.run("papers/wang_small_edge", block__square__kind=kind,
+                            default_law__normal_stiffness=stiffness, **settings)
+            name = f"{kind}, K {stiffness / 1e6:g} MN/m"
+            study.draw(kind, run["vertex.x"], run["vertex.y"], panel, f"{name}, 0.4 s",
+                       ":" if stiffness > 5e6 else "-")
+            if panel == 0:
+                study.compare(f"{case}, {name}: way to the side, m", np.abs(run["vertex.x"]).max(), 0, 1e-9)
+                study.exceeds(f"{case}, {name}: velocity upwards at 0.2 s, m/s", run.at(0.2, "square.vy"), 0)
+            else:
+                study.exceeds(f"{case}, {name}: velocity to the right at 0.2 s, m/s", run.at(0.2, "square.vx"), 0)
+                off = math.hypot(*(run.at(0.2, f"vertex.{axis}") - potentials[f"vertex.{axis}"][-1] for axis in "xy"))
+                study.compare(f"{case}, {name}: vertex from that by potentials at 0.2 s, m", off, 0, LINE * PICTURE)
         study.expect(potentials["vertex.x"], potentials["vertex.y"], panel, "potentials, 0.2 s")
-        off = max(abs(springs.at(0.2, f"vertex.{axis}") - potentials[f"vertex.{axis}"][-1]) for axis in "xy")
-        study.compare(f"{case}: vertex by springs and by potentials at 0.2 s, m", off, 0, LINE * PICTURE)
     study.axes[0].set_xlim(-0.2, 0.2)
-    study.finish([f"Wang 2021, figure 20: {case}" for case in ("case 1", "case 2")], "x of the vertex, m", "y, m")
+    study.finish([f"After Wang 2021, figure 20: {case}" for case in ("case 1", "case 2")], "x of the vertex, m", "y, m")
 
 
 def repose(study):
@@ -115,9 +128,10 @@ def repose(study):
         sides = [slope.flank_angle(x[part], height[part], height[top])[0]
                  for part in (slice(None, top + 1), slice(top, None))]
         study.tell(f"{name}: slopes {sides[0]:.1f} and {sides[1]:.1f} degrees")
-        slopes += sides
-    # Ten slopes of heaps of 360 grains had a standard deviation of 3.3 degrees: the mean of six has 1.35.
-    study.compare("mean slope, degrees", np.mean(slopes), 25, 2.7)
+        if kind != "mesh":
+            slopes += sides
+    # Twelve slopes of heaps of 360 grains had a standard deviation of 3.9 degrees: the mean of four has 1.95.
+    study.compare("mean slope at the stiffness of the paper, degrees", np.mean(slopes), 25, 3.9)
     for side in (-1, 1):
         study.expect([0, side * 0.45], [0.21, 0.21 - 0.45 * math.tan(math.radians(25))])
-    study.finish("Wang 2021, figure 22: surface of the heap, and 25 degrees", "x, m", "y, m")
+    study.finish("After Wang 2021, figure 22: surface of the heap, and 25 degrees", "x, m", "y, m")
