@@ -2,9 +2,9 @@
 
 Each bar is one element, whose two nodes have half its mass each. From the touch on both bars are divided: at the
 distance that a wave runs in the rest dt2 of the step. The two parts move in short steps between the initial nodes,
-whose velocities are fixed (step 3); their forces on the initial nodes are given back to them (step 5). The text does not
-say whose mass the node between has. Here the initial nodes keep theirs, as their own step needs: what the node between
-takes up or gives off is no momentum of the bars.
+whose velocities are fixed (step 3); their forces on the initial nodes are given back to them (step 5). The text does
+not say whose mass the node between has. Here the initial nodes keep theirs, as their own step needs: what the node
+between takes up or gives off is no momentum of the bars.
 """
 import numpy as np
 
