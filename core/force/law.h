@@ -11,10 +11,6 @@ namespace halfspace {
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
-/// Blocks cut along a joint touch up to rounding. A gap or overlap below this fraction of the block's size,
-/// its radius or that of the face, counts as a common face.
-constexpr double touch_reach = 1e-6;
-
 /// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same
 /// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4), where stiffness
 /// and damping are unused.

@@ -5,22 +5,17 @@
 
 #include "block/blocks.h"
 #include "geometry/polygon/clip.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
-
-/// Planes within this fraction of the smaller block's radius coincide.
-constexpr double plane_reach = 1e-6;
-
-/// Faces are parallel when their normals differ by at most this: a joint set has cut them from one plane.
-constexpr double parallel_faces = 1e-6;
 
 /// Do two faces lie in one plane, with opposite normals?
 template <int D>
 bool are_opposite(const Outline<D>& a, int f, const Outline<D>& b, int g, const Vector<D>& to_b,
                   double reach) {
   const Vector<D> normal = a.normal(f);
-  return (normal + b.normal(g)).norm() <= parallel_faces &&
+  return (normal + b.normal(g)).norm() <= strictly_parallel &&
          std::abs(normal.dot(to_b) - b.offset[g] - a.offset[f]) <= reach;
 }
 
@@ -116,7 +111,7 @@ std::optional<CommonFace<D>> common_face(const Blocks<D>& blocks, std::int32_t b
                                          Memory* memory) {
   const auto [a, b, to_b] = blocks.placed(block_a, block_b);
   const double reach =
-      plane_reach * std::min(blocks.radius[std::size_t(block_a)], blocks.radius[std::size_t(block_b)]);
+      touch_reach * std::min(blocks.radius[std::size_t(block_a)], blocks.radius[std::size_t(block_b)]);
   const double least = D == 2 ? reach : reach * reach;  // smaller areas are rounding errors
   std::optional<CommonFace<D>> common;
   double largest = 0;

@@ -7,6 +7,7 @@
 
 #include "geometry/angle.h"
 #include "geometry/mean_distance.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
@@ -109,8 +110,7 @@ void share_edge(const TouchingBlock& touching, const Contact<3>& contact, PointS
   while (topology.vertex_face[far_corner] != topology.vertex_face[corner]) ++far_corner;
   const double length = (touching.block.vertex(far) - touching.block.vertex(vertex)).norm();
   const auto is_at = [&](const Vector<3>& point, int v) {
-    constexpr double near = 1e-6;
-    return std::abs(along.dot(point - touching.shift - touching.block.vertex(v))) <= near * length;
+    return std::abs(along.dot(point - touching.shift - touching.block.vertex(v))) <= end_reach * length;
   };
   for (int i = 0; i < 2; ++i) {
     springs.part[i] = is_at(contact.points[i], vertex) ? touching.part_of_corner(vertex, corner)

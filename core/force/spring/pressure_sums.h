@@ -4,6 +4,7 @@
 
 #include "force/law.h"
 #include "force/spring/pressure_room.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 

@@ -6,6 +6,7 @@
 #include "force/spring/joint_face.h"
 #include "force/spring/point_springs.h"
 #include "geometry/mean_distance.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/plane/potential_pairs.h"
 
 namespace halfspace {
@@ -15,8 +16,7 @@ int edge_along(const Outline<2>& block, const Vector<2>& direction) {
 }
 
 bool are_in_line(const Vector<2>& one, const Vector<2>& other) {
-  constexpr double flat = 1e-6;  // rad: far above rounding, far below relevant angles
-  return std::abs(cross(one, other)) < flat && one.dot(other) > 0;
+  return std::abs(cross(one, other)) < strictly_parallel && one.dot(other) > 0;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/manifold_faces.h"
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
@@ -29,7 +30,6 @@ struct MeetingEdges {
   /// angle between face and plane is left . along_b |along_a| / area. False for nearly parallel edges, which
   /// have no plane.
   bool cross_steeply(double region_angle) const {
-    constexpr double flat = 1e-6;  // rad: far above rounding
     const double a_left = a.left.dot(b.along), a_right = a.right.dot(b.along);
     const double b_left = b.left.dot(a.along), b_right = b.right.dot(a.along);
     const double sense = a_left < 0 ? -1 : 1;
@@ -37,7 +37,8 @@ struct MeetingEdges {
     const double least_of_b = std::min(sense * b_left, -sense * b_right);
     const double a_square = a.along.squaredNorm(), b_square = b.along.squaredNorm();
     const double area_square = parallelogram.square;
-    const double steep = 1.001 * std::max(region_angle * region_angle, flat * flat) * area_square;
+    const double steep =
+        1.001 * std::max(region_angle * region_angle, strictly_parallel * strictly_parallel) * area_square;
     return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
            least_of_b * least_of_b * b_square > steep &&
            !are_all_but_parallel(area_square, a_square, b_square);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/potential_pairs.h"
 #include "narrow_phase/space/support.h"
 
@@ -86,8 +87,7 @@ class FacetsInOnePlane {
 
  private:
   bool is_in_plane(const Facet& facet) const {
-    constexpr double flat = 1e-6;  // rad: far above rounding, far below relevant angles
-    return cross_product(facet.normal, facet_[0].normal).norm() < flat &&
+    return cross_product(facet.normal, facet_[0].normal).norm() < strictly_parallel &&
            facet.normal.dot(facet_[0].normal) > 0;
   }
 

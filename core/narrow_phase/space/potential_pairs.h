@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/contact.h"
 #include "narrow_phase/space/seen_outline.h"
 
@@ -42,8 +43,7 @@ inline bool is_outer_normal(const SeenEdge& edge, const Vector<3>& normal) {
 /// Are two edges parallel within an angle far above rounding and far below relevant angles? Then their common
 /// normal is dominated by rounding, and their facet of the Minkowski difference is a sliver.
 inline bool are_all_but_parallel(double square_of_cross_product, double square_a, double square_b) {
-  constexpr double flat = 1e-6;  // rad
-  return square_of_cross_product <= flat * flat * square_a * square_b;
+  return square_of_cross_product <= strictly_parallel * strictly_parallel * square_a * square_b;
 }
 inline bool are_all_but_parallel(const Vector<3>& along_a, const Vector<3>& along_b) {
   return are_all_but_parallel(cross_product(along_a, along_b).squaredNorm(), along_a.squaredNorm(),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/pair.h"
 
 namespace halfspace {

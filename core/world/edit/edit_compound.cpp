@@ -1,18 +1,12 @@
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/pair.h"
 #include "world/world.h"
 
 // External edits: compounds.
 
 namespace halfspace {
-namespace {
-
-/// Parts that were cut along a common face, or read from a file, touch up to rounding. An overlap below this
-/// fraction of the smaller radius counts as a common face.
-constexpr double common_face_fraction = 1e-6;
-
-}  // namespace
 
 /// The first two parts of a compound that overlap, if any.
 template <int D>
@@ -26,8 +20,7 @@ PartOverlap World<D>::overlap_of_parts(std::int32_t compound) const {
       if (!box.overlaps(blocks.box(b))) continue;
       const PlacedBlocks<D> at = blocks.placed(a, b);
       const double depth = -find_largest_separation(at.a, at.b, at.to_b).gap;
-      if (depth >
-          common_face_fraction * std::min(blocks.radius[std::size_t(a)], blocks.radius[std::size_t(b)]))
+      if (depth > touch_reach * std::min(blocks.radius[std::size_t(a)], blocks.radius[std::size_t(b)]))
         return {std::int32_t(i), std::int32_t(k), depth};
     }
   }

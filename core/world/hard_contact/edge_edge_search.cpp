@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/point_contact_search.h"
 
 // Edges that meet in space. Two edges touch where they are nearest, along the normal of both, if it lies
@@ -33,20 +34,8 @@ struct MovingEdge {
 
 namespace {
 
-/// Faces that meet at a flatter angle lie in one plane.
-constexpr double flat = 1e-6;
-
 /// Share of a block's radius: edges that lie in each other deeper than this are those of other sides.
 constexpr double deepest_share = 1e-2;
-
-/// Faces at a smaller angle than this lie flush.
-constexpr double flush = 1e-6;
-
-/// Edges that are nearer to parallel meet by their ends.
-constexpr double parallel_edges = 1e-6;
-
-/// Where edges meet this near to an end of one of them, as a share of it, its corner meets a face.
-constexpr double end_share = 1e-6;
 
 /// The places along two edges, from 0 to 1, where they are nearest to each other.
 struct NearestPlaces {
@@ -54,7 +43,7 @@ struct NearestPlaces {
   double on_b = 0;
 
   bool is_between_ends() const {
-    return on_a >= end_share && on_a <= 1 - end_share && on_b >= end_share && on_b <= 1 - end_share;
+    return on_a >= end_reach && on_a <= 1 - end_reach && on_b >= end_reach && on_b <= 1 - end_reach;
   }
 };
 
@@ -72,7 +61,8 @@ Vector<3> normal_of(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 }
 
 bool are_parallel(const MovingEdge::Place& a, const MovingEdge::Place& b) {
-  return !(cross_product(a.along(), b.along()).norm() > parallel_edges * a.along().norm() * b.along().norm());
+  return !(cross_product(a.along(), b.along()).norm() >
+           strictly_parallel * a.along().norm() * b.along().norm());
 }
 
 /// Does the plane between two edges have the faces of both behind it, each on its side? Faces that lie flush
@@ -80,7 +70,7 @@ bool are_parallel(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 bool is_between(const MovingEdge::Place& a, const MovingEdge::Place& b) {
   const Vector<3> normal = normal_of(a, b);
   const auto is_behind = [](const Vector<3>& outwards, const Vector<3>& inwards) {
-    return outwards.dot(inwards) <= flush * inwards.norm();
+    return outwards.dot(inwards) <= strictly_parallel * inwards.norm();
   };
   return is_behind(normal, b.inwards(0)) && is_behind(normal, b.inwards(1)) &&
          is_behind(-normal, a.inwards(0)) && is_behind(-normal, a.inwards(1));
@@ -90,7 +80,7 @@ bool is_between(const MovingEdge::Place& a, const MovingEdge::Place& b) {
 
 bool MovingEdge::Place::is_sharp() const {
   const Vector<3> one = inwards(0).normalized(), other = inwards(1).normalized();
-  return cross_product(one, other).norm() > flat && outwards.dot(one + other) < 0;
+  return cross_product(one, other).norm() > strictly_parallel && outwards.dot(one + other) < 0;
 }
 
 template <>

@@ -26,10 +26,6 @@ constexpr int max_manifold_points = D == 2 ? 2 : max_region_points;
 /// Separations, and ends of faces, that differ by less than this fraction of a block's size are equal.
 constexpr double equal_fraction = 1e-9;
 
-/// Parts of faces, and overlaps, that are smaller than this fraction of a block's size do not count: a block
-/// slides over a joint whose edges are off by as little.
-constexpr double flush_fraction = 1e-6;
-
 /// The features that give a manifold its normal.
 enum class ManifoldPlane : std::int32_t { face_of_a = 0, face_of_b = 1, edges = 2 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/plane/separation.h"
 #include "world/hard_contact/manifold.h"
 
@@ -63,7 +64,7 @@ void clip(const OwnerFrame& frame, bool overlaps, Manifold<2>& manifold) {
   const double s_first = along.dot(frame.other_vertex(first) - start);
   const double s_last = along.dot(frame.other_vertex(last) - start);
   const double from = std::max(0.0, s_first), to = std::min(length, s_last);
-  const double flush = flush_fraction * length;
+  const double flush = touch_reach * length;
   if (!(to - from > flush)) {
     const int vertex = frame.support(face);
     const double s = along.dot(frame.other_vertex(vertex) - start);
@@ -94,7 +95,7 @@ bool find_manifold(const PosedBlock<2>& a, const PosedBlock<2>& b, double margin
   manifold.plane = best.owner == 0 ? ManifoldPlane::face_of_a : ManifoldPlane::face_of_b;
   manifold.feature = best.face;
   if (best.separation > margin) return false;
-  clip(frames[best.owner], best.separation < -flush_fraction * size, manifold);
+  clip(frames[best.owner], best.separation < -touch_reach * size, manifold);
   return manifold.count > 0;
 }
 

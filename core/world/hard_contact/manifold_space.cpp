@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/contact_plane.h"
 #include "narrow_phase/space/face_overlap.h"
 #include "narrow_phase/space/manifold_edges.h"
@@ -201,7 +202,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
     best.gap = face_gap;
     best.pair = face;
   }
-  const double flush = flush_fraction * size;
+  const double flush = touch_reach * size;
   const bool overlaps = best.gap < -flush;
   if (best.pair.kind == PotentialPair<3>::face_vertex) {
     manifold.plane = ManifoldPlane::face_of_a;
