@@ -102,16 +102,9 @@ class Run:
         """A column at the row that is nearest to a time."""
         return self[name][np.argmin(abs(self["time"] - when))]
 
-    def summary(self, pattern):
-        """The number in a line of the summary."""
-        return float(re.search(pattern, (self.folder / "summary.txt").read_text(encoding="utf-8")).group(1))
-
     def frames(self, kind="frame"):
         """Paths of the frames, or of those of contacts."""
         return sorted(self.folder.glob(f"frames/{kind}_*.vtp"), key=lambda path: int(path.stem.split("_")[1]))
-
-    def frame_at(self, when):
-        return min(self.frames(), key=lambda path: abs(time_of(path) - when))
 
     def contact_types(self):
         """The type of the first contact in each frame, as a number; None without a contact."""
@@ -142,6 +135,11 @@ class Study:
         self.values, self.seconds = [], 0.0
         self.figure, axes = plt.subplots(1, panels, figsize=(4.6 * panels if panels > 1 else 6, 3.6), squeeze=False)
         self.axes = axes[0]
+
+    @property
+    def kinds(self):
+        """Kinds of blocks that cases compare: affine ones have the paper's elasticity."""
+        return ("rigid",) if self.quick else ("rigid", "affine")
 
     def run(self, scene, **settings):
         """Runs docs/examples/SCENE.toml; a setting block__a__kind="affine" is --set block.a.kind=affine."""

@@ -11,6 +11,7 @@ import slope  # noqa: E402
 
 TYPES = ["vertex-vertex", "vertex-edge", "edge-edge", "edge-face", "face-face", "vertex-face"]  # HS_CONTACT_, from 1
 PICTURE = 2  # m, the side of a picture of blocks of 1 m
+SMALL_EDGE = {"case 1": 0, "case 2": 0.03}  # m, where the vertex falls: on the small edge, or beside it
 
 
 def slide(friction, time):
@@ -23,7 +24,7 @@ def sliders(study, scene, angles, duration, centroid, tolerance):
     """Blocks that slide, beside the formula of both papers."""
     for friction in angles:
         is_first = friction == angles[0]
-        for kind in ("rigid",) if study.quick else ("rigid", "affine"):
+        for kind in study.kinds:
             run = study.run(scene, stage__slide__default_law__friction_angle=friction, block__slider__kind=kind)
             way = np.hypot(*(run[axis] - run[axis][0] for axis in centroid))
             study.draw(kind, run["time"], way, label=kind if is_first else None)
@@ -48,7 +49,7 @@ def types_in_order(run):
 
 def cube(study):
     """Section 4.2, figure 16."""
-    for kind in ("rigid",) if study.quick else ("rigid", "affine"):
+    for kind in study.kinds:
         run = study.run("papers/wang_cube", block__cube__kind=kind)
         study.draw(kind, run["time"], run["cube.z"], label=kind)
         study.agree(f"{kind}: contact types", types_in_order(run), ["vertex-face", "edge-face", "face-face"])
@@ -68,7 +69,7 @@ def edges(study):
     smooth = 2 / (1 + 6 * arm**2) - 1  # rebound of an impact without loss and without friction, over the speed
     # The same where friction holds the edge: its impulse is 0.32 of the normal one, which tan 30 degrees permits.
     rough = 2 / (1 + 6 * arm**2 - (6 * arm * height)**2 / (1 + 6 * height**2)) - 1
-    for kind in ("rigid",) if study.quick else ("rigid", "affine"):
+    for kind in study.kinds:
         run = study.run("papers/wang_edges", block__upper__kind=kind)
         study.draw(kind, run["time"], run["upper.z"], label=kind)
         study.agree(f"{kind}: first contact type", types_in_order(run)[:1], ["edge-edge"])
@@ -86,13 +87,18 @@ def edges(study):
     study.finish("After Wang 2021, figure 18: an edge falls on an edge", "time, s", "height of the centroid, m")
 
 
+def falling_at(x):
+    """Settings of both scenes of a small edge."""
+    return {"block__square__shift": f"[{x}, 0]", "output__tracked[1]__at": f"[{x}, 0.05]"}
+
+
 def small_edge(study):
     """Section 4.3, figure 20: the vertex, by springs and by the potentials of Zheng 2020.
 
     A vertex has half of K (docs/decisions/springs_at_corners.md): with twice the stiffness it has the paper's.
     """
-    for panel, (case, x) in enumerate((("case 1", 0), ("case 2", 0.03))):
-        settings = {"block__square__shift": f"[{x}, 0]", "output__tracked[1]__at": f"[{x}, 0.05]"}
+    for panel, case in enumerate(SMALL_EDGE):
+        settings = falling_at(SMALL_EDGE[case])
         potentials = study.run("papers/zheng_small_edge", **settings)
         for kind, stiffness in (("rigid", 5e6), ("rigid", 1e7)) + (() if study.quick else (("affine", 5e6),)):
             run = study.run("papers/wang_small_edge", block__square__kind=kind,
@@ -109,7 +115,7 @@ def small_edge(study):
                 study.compare(f"{case}, {name}: vertex from that by potentials at 0.2 s, m", off, 0, LINE * PICTURE)
         study.expect(potentials["vertex.x"], potentials["vertex.y"], panel, "potentials, 0.2 s")
     study.axes[0].set_xlim(-0.2, 0.2)
-    study.finish([f"After Wang 2021, figure 20: {case}" for case in ("case 1", "case 2")], "x of the vertex, m", "y, m")
+    study.finish([f"After Wang 2021, figure 20: {case}" for case in SMALL_EDGE], "x of the vertex, m", "y, m")
 
 
 def repose(study):

@@ -4,13 +4,7 @@ import math
 import numpy as np
 
 from study import GRAVITY, time_of, values_of
-from wang import sliders
-
-KINDS = ("rigid", "affine")
-
-
-def kinds(study):
-    return KINDS[:1] if study.quick else KINDS
+from wang import SMALL_EDGE, falling_at, sliders
 
 
 def of_kind(names, kind):
@@ -18,7 +12,7 @@ def of_kind(names, kind):
 
 
 def velocity_of_squares(time, touch):
-    """Of square b. Two faces of 1 m that overlap by d repel each other by 2 k / H (d - d^2) (THEORY, section 6)."""
+    """Of square b. Two faces of 1 m that overlap by d repel each other by 2 k / H (d - d^2), and both squares yield."""
     mass, stiffness, step = 2000, 1e7, 1e-6
 
     def rates(state):
@@ -39,7 +33,7 @@ def velocity_of_squares(time, touch):
 
 def squares(study):
     """Section 4.1, figure 8."""
-    for kind in kinds(study):
+    for kind in study.kinds:
         run = study.run("papers/zheng_squares", **of_kind(("a", "b"), kind))
         study.draw(kind, run["time"], run["a.vx"], label=f"a, {kind}")
         study.draw(kind, run["time"], run["b.vx"], label=f"b, {kind}")
@@ -59,7 +53,7 @@ def group(study):
     """Section 4.2, figure 10."""
     names = ("column", "lintel", "gable")
     blocks = [f"{side}_{name}" for name in names for side in ("right", "left")] + ["beam"]
-    for kind in kinds(study):
+    for kind in study.kinds:
         run = study.run("papers/zheng_group", **of_kind(blocks, kind))
         for name in names:
             right, left = f"right_{name}", f"left_{name}"
@@ -121,7 +115,7 @@ def brake(study):
 
 def sizes(study):
     """Section 5.1, figure 14. The previous approach of the paper has the radii of circles in the blocks for H."""
-    for kind in kinds(study):
+    for kind in study.kinds:
         of_blocks = of_kind(("on_low", "on_high"), kind)
         one = study.run("papers/zheng_sizes", **of_blocks)
         low = study.run("papers/zheng_sizes", world__potential_length=0.05, **of_blocks)
@@ -141,7 +135,7 @@ def sizes(study):
 
 def angles(study):
     """Section 5.2, figure 16."""
-    for kind in kinds(study):
+    for kind in study.kinds:
         run = study.run("papers/zheng_angles", **of_kind(("upper", "lower"), kind))
         for point in ("upper", "lower", "upper_tip", "lower_tip"):
             study.draw(kind, run[point + ".x"], run[point + ".y"], label=kind if point == "upper" else None)
@@ -154,30 +148,29 @@ def angles(study):
 
 def small_edge(study):
     """Section 5.3, figure 18."""
-    for panel, x in enumerate((0, 0.03)):
-        settings = {"block__square__shift": f"[{x}, 0]", "output__tracked[1]__at": f"[{x}, 0.05]"}
-        for kind in kinds(study):
+    for panel, case in enumerate(SMALL_EDGE):
+        settings = falling_at(SMALL_EDGE[case])
+        for kind in study.kinds:
             run = study.run("papers/zheng_small_edge", block__square__kind=kind, **settings)
             study.draw(kind, run["vertex.x"], run["vertex.y"], panel, kind)
             if panel == 0:
-                study.compare(f"case 1, {kind}: way to the side, m", np.abs(run["vertex.x"]).max(), 0, 1e-9)
-                study.exceeds(f"case 1, {kind}: velocity upwards at 0.2 s, m/s", run["square.vy"][-1], 0)
+                study.compare(f"{case}, {kind}: way to the side, m", np.abs(run["vertex.x"]).max(), 0, 1e-9)
+                study.exceeds(f"{case}, {kind}: velocity upwards at 0.2 s, m/s", run["square.vy"][-1], 0)
             else:
-                study.exceeds(f"case 2, {kind}: velocity to the right at 0.2 s, m/s", run["square.vx"][-1], 0)
+                study.exceeds(f"{case}, {kind}: velocity to the right at 0.2 s, m/s", run["square.vx"][-1], 0)
     study.axes[0].set_xlim(-0.1, 0.1)
-    study.finish([f"After Zheng 2020, figure 18: case {case}" for case in (1, 2)], "x of the vertex, m", "y, m")
+    study.finish([f"After Zheng 2020, figure 18: {case}" for case in SMALL_EDGE], "x of the vertex, m", "y, m")
 
 
 def collapse(study):
     """Section 6.1, figure 20."""
     duration = 0.5 if study.quick else 7.5
-    for kind in ("affine",) if study.quick else KINDS:
+    for kind in ("affine",) if study.quick else study.kinds:
         means = {}
         for friction in (15, 30):
             run = study.run(f"rock_collapse/potential_{friction}", jointed_rock__rock__kind=kind,
                             world__duration=duration)
-            moves = [values_of(frame, "kind") > 1 for frame in run.frames()]
-            ways = [values_of(frame, "displacement")[moving, 0].mean() for frame, moving in zip(run.frames(), moves)]
+            ways = [values_of(frame, "displacement")[values_of(frame, "kind") > 1, 0].mean() for frame in run.frames()]
             time = [time_of(frame) for frame in run.frames()]
             study.draw(kind, time, ways, label=f"{friction} degrees, {kind}",
                        style="-" if friction == 15 else ":")
@@ -198,7 +191,7 @@ def is_left(frame, moves):
 def valley(study):
     """Section 6.2, figure 22."""
     duration = 0.5 if study.quick else 3.5
-    for kind in ("affine",) if study.quick else KINDS:
+    for kind in ("affine",) if study.quick else study.kinds:
         run = study.run("rock_valley/valley", world__duration=duration,
                         **{f"jointed_rock__{side}__kind": kind for side in ("left", "right")})
         first = run.frames()[0]
