@@ -86,7 +86,6 @@ void World<D>::renew_neighbors_if_needed() {
 
 template <int D>
 void World<D>::detect() {
-  if (contacts_.are_found()) return;
   renew_neighbors_if_needed();
   contact_stage_.find();
 }

@@ -6,9 +6,6 @@ import numpy as np
 
 from study import EXAMPLES, GRAVITY, LINE
 
-sys.path.append(str(EXAMPLES / "angle_of_repose"))
-import slope  # noqa: E402
-
 TYPES = ["vertex-vertex", "vertex-edge", "edge-edge", "edge-face", "face-face", "vertex-face"]  # HS_CONTACT_, from 1
 PICTURE = 2  # m, the side of a picture of blocks of 1 m
 SMALL_EDGE = {"case 1": 0, "case 2": 0.03}  # m, where the vertex falls: on the small edge, or beside it
@@ -120,6 +117,9 @@ def small_edge(study):
 
 def repose(study):
     """Section 4.4, figure 22: the heap of 360 grains at the paper's stiffness, and at a tenth of it."""
+    sys.path.append(str(EXAMPLES / "angle_of_repose"))
+    import slope  # loads VTK, which no other case needs
+
     stiff = {f"default_law__{name}": 1e8 for name in ("normal_stiffness", "shear_stiffness")}
     elastic = {"material__grain__young_modulus": 1e7, "material__grain__poisson_ratio": 0.3,
                "triangulated__grain__kind": "affine"}
