@@ -21,7 +21,7 @@ struct PreparedCopy {
 /// change nothing.
 template <int D, class Query>
 void query_prepared(const hs_world& handle, World<D>& world, Query query) {
-  if (!world.is_changed()) return query(world);
+  if (!world.state().is_edited()) return query(world);
   PreparedCopy<D> copy(handle, world);
   query(copy.world);
 }

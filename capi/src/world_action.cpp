@@ -35,8 +35,9 @@ hs_action_def read_action(const World<D>& world, const hs_action_def* given) {
   const hs_action_def def = read_definition(given, "def");
   if (def.kind < HS_ACTION_VELOCITY || def.kind > HS_ACTION_SERVO)
     refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_ACTION_ value", def.kind);
-  if (def.table < 0 || def.table >= world.table_count())
-    refuse(HS_ERROR_STALE_ID, "def.table is %d; the world has %d tables", def.table, world.table_count());
+  if (def.table < 0 || def.table >= world.model().actions.tables().count())
+    refuse(HS_ERROR_STALE_ID, "def.table is %d; the world has %d tables", def.table,
+           world.model().actions.tables().count());
   require(is_within_limits(def.start), def.start, "def.start", "finite and at most 1e75");
   return def;
 }
@@ -164,12 +165,12 @@ hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t 
              known.kind);
     }
     NodeAction action;
-    action.body = body_of(w.meshes(), body, "body");
+    action.body = body_of(w.blocks().meshes(), body, "body");
     action.kind = ActionKind(known.kind);
     action.table = known.table;
     action.start = known.start;
     const Array<Vector<D>> factors = read_finite_points<D>(world->context, scales, "scales");
-    require_nodes(w.meshes().body(action.body), nodes, scales.count);
+    require_nodes(w.blocks().meshes().body(action.body), nodes, scales.count);
     w.add_node_action(action, {nodes, std::size_t(scales.count)}, factors);
     return HS_OK;
   });
@@ -177,7 +178,7 @@ hs_status hs_world_add_node_action(hs_world* world, hs_body body, const int32_t 
 
 hs_status hs_world_end_node_actions(hs_world* world, hs_body body) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    w.end_node_actions(body_of(w.meshes(), body, "body"));
+    w.end_node_actions(body_of(w.blocks().meshes(), body, "body"));
     return HS_OK;
   });
 }
@@ -185,9 +186,9 @@ hs_status hs_world_end_node_actions(hs_world* world, hs_body body) {
 hs_status hs_world_set_node_viscosity(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                                       const double viscosity[9]) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
     const Tensor<D> wanted = read_symmetric_tensor<D>(viscosity, "viscosity");
-    require_nodes(w.meshes().body(which), nodes, count);
+    require_nodes(w.blocks().meshes().body(which), nodes, count);
     for (int i = 0; i < D; ++i) {
       for (int k = 0; k < D; ++k) {
         const bool is_dissipative =

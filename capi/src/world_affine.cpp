@@ -59,7 +59,7 @@ hs_deformation deformation_of(const World<D>& world, std::size_t slot) {
     return out;
   }
   const Deformation<D>& deformation = blocks.deformation(slot);
-  const Elasticity& elasticity = world.elasticity(blocks.material[slot]);
+  const Elasticity& elasticity = world.model().materials.elasticity(blocks.material[slot]);
   write_tensor<D>(deformation.gradient, out.gradient);
   write_tensor<D>(deformation.rate, out.rate);
   write_tensor<D>(deformation.strain(), out.strain);

@@ -57,7 +57,7 @@ hs_bond bond_of(const World<D>& world, const Bond<D>& bond) {
   out.is_joint = bond.is_joint;
   out.point_count = std::int32_t(bond.point_count);
   Vector<D> shear = Vector<D>::Zero();
-  for (const BondPoint<D>& point : world.bonds().points_of(bond)) {
+  for (const BondPoint<D>& point : world.blocks().bonds().points_of(bond)) {
     out.broken_count += point.is_broken();
     out.area += point.area;
     out.damage += point.area * point.damage;
@@ -159,7 +159,7 @@ hs_status hs_world_get_bonds(const hs_world* world, hs_bond bonds[], int64_t cap
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(bonds, "bonds");
-    const Array<Bond<D>>& all = w.bonds().all();
+    const Array<Bond<D>>& all = w.blocks().bonds().all();
     if (count) *count = std::int64_t(all.size());
     for (std::size_t i = 0; i < all.size() && std::int64_t(i) < capacity; ++i) bonds[i] = bond_of(w, all[i]);
     return fits(std::int64_t(all.size()), capacity);
@@ -172,7 +172,7 @@ hs_status hs_world_get_bond_events(const hs_world* world, int64_t first, hs_bond
     require_count(first, "first");
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(events, "events");
-    const Array<BondEvent<D>>& all = w.bonds().events();
+    const Array<BondEvent<D>>& all = w.blocks().bonds().events();
     const std::int64_t left = std::max(std::int64_t(all.size()) - first, std::int64_t(0));
     if (count) *count = left;
     for (std::int64_t i = 0; i < left && i < capacity; ++i) events[i] = event_of(all[std::size_t(first + i)]);
@@ -185,12 +185,12 @@ hs_status hs_world_get_bond_report(const hs_world* world, hs_bond_report* report
     require_pointer(report, "report");
     require_report_size(size, sizeof(hs_bond_report));
     hs_bond_report ours{};
-    ours.bond_count = std::int64_t(w.bonds().all().size());
-    for (const Bond<D>& bond : w.bonds().all()) ours.joint_count += bond.is_joint;
-    ours.event_count = std::int64_t(w.bonds().events().size());
-    for (const BondEvent<D>& event : w.bonds().events()) ours.crack_area += event.area;
-    ours.strain_energy = w.bond_strain_energy();
-    ours.fracture_loss = w.ledger().fracture_loss;
+    ours.bond_count = std::int64_t(w.blocks().bonds().all().size());
+    for (const Bond<D>& bond : w.blocks().bonds().all()) ours.joint_count += bond.is_joint;
+    ours.event_count = std::int64_t(w.blocks().bonds().events().size());
+    for (const BondEvent<D>& event : w.blocks().bonds().events()) ours.crack_area += event.area;
+    ours.strain_energy = w.state().bond_strain;
+    ours.fracture_loss = w.state().ledger.entries().fracture_loss;
     write_sized(ours, report, size);
     return HS_OK;
   });

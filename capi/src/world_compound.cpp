@@ -56,7 +56,7 @@ hs_status hs_world_add_compound(hs_world* world, const hs_shape* const shapes[],
     const double radius = compound_body<D>(parts.shapes, parts.poses, 1).radius;
     const BlockStart<D> start =
         read_block(w, def, radius, HS_BLOCK_RIGID, "HS_BLOCK_FIXED, HS_BLOCK_PRESCRIBED or HS_BLOCK_RIGID");
-    const double density = w.density(start.material);
+    const double density = w.model().materials.density(start.material);
     for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
       const Shape<D>& shape = *parts.shapes[i];
       require_mass(mass_of(shape, density), Inertia<D>::of(shape, density), {"shapes", std::int64_t(i)});

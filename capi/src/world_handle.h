@@ -134,12 +134,13 @@ void require_moved_by_itself(const Blocks<D>& blocks, std::int32_t slot, const c
 /// Refuses a share of a larger world.
 template <int D>
 void require_whole(const World<D>& world, const char* advice) {
-  if (!world.share().is_whole()) refuse(HS_ERROR_STATE, "world is a share of a larger world; %s", advice);
+  if (!world.state().share.is_whole())
+    refuse(HS_ERROR_STATE, "world is a share of a larger world; %s", advice);
 }
 /// Refuses a step in pieces that has not ended.
 template <int D>
 void require_between_steps(const World<D>& world) {
-  const ShareStage stage = world.share().stage();
+  const ShareStage stage = world.state().share.stage();
   if (stage == ShareStage::begun || stage == ShareStage::moved)
     refuse(HS_ERROR_STATE, "world is within a step; call %s first",
            stage == ShareStage::begun ? "hs_world_end_begin()" : "hs_world_end_step()");
@@ -148,7 +149,8 @@ void require_between_steps(const World<D>& world) {
 /// Refuses a new list of pairs where copies may have rested since the last one.
 template <int D>
 void require_copies_in_place(const World<D>& world) {
-  if (world.share().has_stale_copies() && !world.is_detected() && world.candidates().needs_rebuild())
+  if (world.state().share.has_stale_copies() && !world.state().contacts.are_found() &&
+      world.state().contacts.neighbors().needs_rebuild())
     refuse(HS_ERROR_STATE, "laws have changed since copies were brought; call hs_world_assemble() first");
 }
 
@@ -170,9 +172,9 @@ void require_joined(const World<D>& world) {
 
 template <int D>
 void require_material(const World<D>& world, std::int32_t material, const ArgumentName& name) {
-  if (material < 0 || material >= world.material_count()) {
+  if (material < 0 || material >= world.model().materials.count()) {
     refuse(HS_ERROR_STALE_ID, "%s is %d; the world has %d materials", NameText(name).characters, material,
-           world.material_count());
+           world.model().materials.count());
   }
 }
 

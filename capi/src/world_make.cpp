@@ -120,7 +120,8 @@ ContactLaw read_law(const hs_law_def* given) {
 /// took the mean edge of all.
 template <int D>
 void require_known_length(const World<D>& w, const ContactLaw& law) {
-  if (w.share().is_whole() || !law.is_potential() || w.knows_potential()) return;
+  if (w.state().share.is_whole() || !law.is_potential() || w.model().materials.laws().knows_potential())
+    return;
   if (!w.blocks().deformations().empty() && !(w.model().settings.potential_length > 0))
     refuse(HS_ERROR_STATE,
            "law is of potentials; a share with affine blocks needs potential_length in hs_world_def");
@@ -214,10 +215,10 @@ hs_status hs_world_add_block(hs_world* world, const hs_shape* shape, const hs_bl
     require_pointer(block, "block");
     const BlockStart<D> start = read_block(w, def, form.bounding_radius(), HS_BLOCK_AFFINE,
                                            "an HS_BLOCK_ value other than HS_BLOCK_MESH");
-    const double density = w.density(start.material), mass = mass_of(form, density);
+    const double density = w.model().materials.density(start.material), mass = mass_of(form, density);
     const Inertia<D> inertia = Inertia<D>::of(form, density);
     require_mass(mass, inertia, "shape");
-    if (start.kind == BlockKind::affine && !w.elasticity(start.material).is_given()) {
+    if (start.kind == BlockKind::affine && !w.model().materials.elasticity(start.material).is_given()) {
       refuse(HS_ERROR_STATE,
              "def.material is %d, which has no elasticity; call hs_world_set_elasticity() first",
              start.material);

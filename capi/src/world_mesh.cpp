@@ -33,7 +33,7 @@ Array<std::int32_t> read_materials(const hs_world& handle, const World<D>& world
     const ArgumentName name =
         given ? ArgumentName("cell_materials", std::int64_t(cell)) : ArgumentName("def.material");
     require_material(world, materials[cell], name);
-    if (!world.elasticity(materials[cell]).is_given()) {
+    if (!world.model().materials.elasticity(materials[cell]).is_given()) {
       refuse(HS_ERROR_STATE,
              "the material of cell %zu is %d, which has no elasticity; call hs_world_set_elasticity() first",
              cell, materials[cell]);
@@ -75,13 +75,13 @@ template <int D>
     const std::int32_t material = materials[std::size_t(report.cell)];
     refuse(HS_ERROR_ARGUMENT,
            "cell %lld of mesh %s: its material %d has a density of %g and a shear modulus of %g",
-           static_cast<long long>(report.cell), text, material, world.density(material),
-           world.elasticity(material).shear_modulus);
+           static_cast<long long>(report.cell), text, material, world.model().materials.density(material),
+           world.model().materials.elasticity(material).shear_modulus);
   }
   double density = HUGE_VAL, shear_modulus = 0;
   for (const std::int32_t material : materials) {
-    density = std::min(density, world.density(material));
-    shear_modulus = std::max(shear_modulus, world.elasticity(material).shear_modulus);
+    density = std::min(density, world.model().materials.density(material));
+    shear_modulus = std::max(shear_modulus, world.model().materials.elasticity(material).shear_modulus);
   }
   refuse(HS_ERROR_ARGUMENT, "mesh %s: its materials have densities from %g and shear moduli up to %g", text,
          density, shear_modulus);
@@ -136,7 +136,7 @@ hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view
                       const char* name, const char* function, VectorOf&& vector_of) {
   return with_world(world, function, [&]<int D>(const World<D>& w) {
     require_view<D>(out, name);
-    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    const Body<D>& known = w.blocks().meshes().body(body_of(w.blocks().meshes(), body, "body"));
     if (count) *count = known.node_count;
     return write_all(known.node_count, out.count, [&](int i) {
       write_point(out, i, vector_of(w, known, std::size_t(known.first_node + i)));
@@ -147,8 +147,9 @@ hs_status write_nodes(const hs_world* world, hs_body body, const hs_mutable_view
 template <int D, int N>
 hs_cell_state state_of(const World<D>& world, const Element<D, N>& element) {
   using E = Element<D, N>;
-  const typename E::Field field = element.field_of(gathered<D, N>(world.meshes().place, element.node));
-  const Elasticity& elasticity = world.elasticity(element.material);
+  const typename E::Field field =
+      element.field_of(gathered<D, N>(world.blocks().meshes().place, element.node));
+  const Elasticity& elasticity = world.model().materials.elasticity(element.material);
   const Tensor<D> strain = E::strain_of(field);
   hs_cell_state state{};
   write_tensor<D>(strain, state.strain);
@@ -159,7 +160,7 @@ hs_cell_state state_of(const World<D>& world, const Element<D, N>& element) {
 
 template <int D>
 hs_body_state state_of(const World<D>& world, std::int32_t which) {
-  const Meshes<D>& meshes = world.meshes();
+  const Meshes<D>& meshes = world.blocks().meshes();
   const Body<D>& body = meshes.body(which);
   hs_body_state state{};
   state.node_count = body.node_count;
@@ -196,18 +197,18 @@ hs_status hs_world_add_mesh(hs_world* world, const hs_mesh* mesh, const hs_body_
     const Vector<D> velocity = read_finite_vector<D>(known.velocity, "def.velocity");
     const PlacedMesh placed = w.add_mesh(form, pose, materials);
     if (placed.report.fault != MeshFault::none) refuse_placed(w, placed.report, materials);
-    const Body<D>& made = w.meshes().body(placed.body);
+    const Body<D>& made = w.blocks().meshes().body(placed.body);
     for (std::int64_t i = 0; i < made.node_count; ++i)
       w.set_node_velocity(std::size_t(made.first_node + i), velocity);
     w.end_node_edits(placed.body);
-    *body = id_of(w.meshes(), placed.body);
+    *body = id_of(w.blocks().meshes(), placed.body);
     return HS_OK;
   });
 }
 
 hs_status hs_world_remove_body(hs_world* world, hs_body body) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    w.remove_mesh(body_of(w.meshes(), body, "body"));
+    w.remove_mesh(body_of(w.blocks().meshes(), body, "body"));
     return HS_OK;
   });
 }
@@ -215,11 +216,11 @@ hs_status hs_world_remove_body(hs_world* world, hs_body body) {
 hs_status hs_world_remove_cells(hs_world* world, hs_body body, const int32_t cells[], int64_t count,
                                 hs_mutable_view released) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    const std::int32_t which = body_of(w.meshes(), body, "body");
-    const Body<D>& known = w.meshes().body(which);
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
+    const Body<D>& known = w.blocks().meshes().body(which);
     require_view<D>(released, "released");
     const std::span<const std::int32_t> wanted = read_cells(known, cells, count);
-    if (keeps_none(w.meshes(), which, wanted, &world->context->memory)) {
+    if (keeps_none(w.blocks().meshes(), which, wanted, &world->context->memory)) {
       refuse(HS_ERROR_STATE, "cells are all cells of the body; call hs_world_remove_body() instead");
     }
     Array<Vector<D>> forces(std::size_t(known.node_count), Vector<D>::Zero(), &world->context->memory);
@@ -237,7 +238,7 @@ hs_status hs_world_get_body_state(const hs_world* world, hs_body body, hs_body_s
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(state, "state");
     require_report_size(size, sizeof(hs_body_state));
-    write_sized(state_of(w, body_of(w.meshes(), body, "body")), state, size);
+    write_sized(state_of(w, body_of(w.blocks().meshes(), body, "body")), state, size);
     return HS_OK;
   });
 }
@@ -246,27 +247,29 @@ hs_status hs_world_get_node_positions(const hs_world* world, hs_body body, hs_mu
                                       int64_t* count) {
   return write_nodes(world, body, positions, count, "positions", __func__,
                      [](const auto& w, const auto& known, std::size_t node) {
-                       return (known.origin + w.meshes().place[node]).eval();
+                       return (known.origin + w.blocks().meshes().place[node]).eval();
                      });
 }
 
 hs_status hs_world_get_node_velocities(const hs_world* world, hs_body body, hs_mutable_view velocities,
                                        int64_t* count) {
-  return write_nodes(world, body, velocities, count, "velocities", __func__,
-                     [](const auto& w, const auto&, std::size_t node) { return w.meshes().velocity[node]; });
+  return write_nodes(
+      world, body, velocities, count, "velocities", __func__,
+      [](const auto& w, const auto&, std::size_t node) { return w.blocks().meshes().velocity[node]; });
 }
 
 hs_status hs_world_get_node_forces(const hs_world* world, hs_body body, hs_mutable_view forces,
                                    int64_t* count) {
-  return write_nodes(world, body, forces, count, "forces", __func__,
-                     [](const auto& w, const auto&, std::size_t node) { return w.force_on_node(node); });
+  return write_nodes(
+      world, body, forces, count, "forces", __func__,
+      [](const auto& w, const auto&, std::size_t node) { return w.state().integrator.force_on_node(node); });
 }
 
 hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view velocities) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
     require_view<D>(velocities, "velocities");
-    const std::int32_t which = body_of(w.meshes(), body, "body");
-    const Body<D>& known = w.meshes().body(which);
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
+    const Body<D>& known = w.blocks().meshes().body(which);
     if (velocities.count != known.node_count) {
       refuse(HS_ERROR_ARGUMENT, "velocities.count is %lld; the body has %lld nodes",
              static_cast<long long>(velocities.count), static_cast<long long>(known.node_count));
@@ -275,7 +278,7 @@ hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view ve
     for (std::int64_t i = 0; i < velocities.count; ++i) read(i);  // validates all before any is set
     for (std::int64_t i = 0; i < velocities.count; ++i) {
       const std::size_t node = std::size_t(known.first_node + i);
-      if (w.meshes().mass[node] > 0) w.set_node_velocity(node, read(i));
+      if (w.blocks().meshes().mass[node] > 0) w.set_node_velocity(node, read(i));
     }
     w.end_node_edits(which);
     return HS_OK;
@@ -285,20 +288,20 @@ hs_status hs_world_set_node_velocities(hs_world* world, hs_body body, hs_view ve
 hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                               int32_t axes, const double velocity[3]) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    const std::int32_t which = body_of(w.meshes(), body, "body");
-    const Body<D>& known = w.meshes().body(which);
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
+    const Body<D>& known = w.blocks().meshes().body(which);
     if (axes < 0 || axes >= 1 << D) {
       refuse(HS_ERROR_ARGUMENT, "axes is %d; it must be a sum of HS_AXIS_ values of the dimension", axes);
     }
     const Vector<D> wanted = read_held_velocity<D>(velocity, axes);
     for_each_node(known, nodes, count, [&](std::size_t node) {
-      if (w.meshes().mass[node] == 0) return;  // a node without cells stays at rest
-      Vector<D> kept = w.meshes().velocity[node];
+      if (w.blocks().meshes().mass[node] == 0) return;  // a node without cells stays at rest
+      Vector<D> kept = w.blocks().meshes().velocity[node];
       for (int k = 0; k < D; ++k) {
         if (axes >> k & 1) kept[k] = wanted[k];
       }
       w.set_node_velocity(node, kept);
-      w.hold_node(node, axes == 0 ? std::uint8_t(0) : std::uint8_t(w.meshes().held[node] | axes));
+      w.hold_node(node, axes == 0 ? std::uint8_t(0) : std::uint8_t(w.blocks().meshes().held[node] | axes));
     });
     w.end_node_edits(which);
     return HS_OK;
@@ -308,7 +311,7 @@ hs_status hs_world_hold_nodes(hs_world* world, hs_body body, const int32_t nodes
 hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t nodes[], int64_t count,
                                   const double force[3]) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    const Body<D>& known = w.meshes().body(body_of(w.meshes(), body, "body"));
+    const Body<D>& known = w.blocks().meshes().body(body_of(w.blocks().meshes(), body, "body"));
     const Vector<D> wanted = read_finite_vector<D>(force, "force");
     for_each_node(known, nodes, count, [&](std::size_t node) { w.set_node_force(node, wanted); });
     return HS_OK;
@@ -318,7 +321,7 @@ hs_status hs_world_set_node_force(hs_world* world, hs_body body, const int32_t n
 hs_status hs_world_set_body_stress(hs_world* world, hs_body body, const double stress[9],
                                    const double gradient[27]) {
   return with_world_between_steps(world, __func__, [&]<int D>(World<D>& w) {
-    const std::int32_t which = body_of(w.meshes(), body, "body");
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
     StressField<D> field{read_symmetric_tensor<D>(stress, "stress"), {}};
     for (int k = 0; k < D; ++k) {
       field.gradient[std::size_t(k)].setZero();
@@ -336,12 +339,12 @@ hs_status hs_world_get_cells(const hs_world* world, hs_body body, hs_cell_state 
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(cells, "cells");
-    const std::int32_t which = body_of(w.meshes(), body, "body");
-    std::fill_n(cells, std::min(capacity, w.meshes().body(which).cell_count), hs_cell_state{});
-    w.meshes().for_each_element_of(which, [&](const auto& element) {
+    const std::int32_t which = body_of(w.blocks().meshes(), body, "body");
+    std::fill_n(cells, std::min(capacity, w.blocks().meshes().body(which).cell_count), hs_cell_state{});
+    w.blocks().meshes().for_each_element_of(which, [&](const auto& element) {
       if (element.cell < capacity) cells[element.cell] = state_of(w, element);
     });
-    const std::int64_t all = w.meshes().body(which).cell_count;
+    const std::int64_t all = w.blocks().meshes().body(which).cell_count;
     if (count) *count = all;
     return fits(all, capacity);
   });
@@ -352,8 +355,8 @@ hs_status hs_world_get_body_of_block(const hs_world* world, hs_block block, hs_b
     require_pointer(body, "body");
     const std::size_t slot = std::size_t(slot_of(w.blocks(), block, "block"));
     const bool is_of_mesh = w.blocks().is_of_mesh(slot);
-    *body = is_of_mesh ? id_of(w.meshes(), w.meshes().surface_of_block(slot).body) : 0;
-    if (cell) *cell = is_of_mesh ? w.meshes().surface_of_block(slot).cell : -1;
+    *body = is_of_mesh ? id_of(w.blocks().meshes(), w.blocks().meshes().surface_of_block(slot).body) : 0;
+    if (cell) *cell = is_of_mesh ? w.blocks().meshes().surface_of_block(slot).cell : -1;
     return HS_OK;
   });
 }

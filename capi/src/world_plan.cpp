@@ -19,7 +19,8 @@ std::int32_t active_parts(const World<D>& world) {
   std::int32_t parts = 0;
   const auto add = [&](std::int32_t part, bool is_active) { parts |= is_active ? part : 0; };
   add(HS_PART_FRICTION, some_law(has_friction));
-  add(HS_PART_BONDS, !world.bonds().empty() || some_law([](const ContactLaw& law) { return law.bonds(); }));
+  add(HS_PART_BONDS,
+      !world.blocks().bonds().empty() || some_law([](const ContactLaw& law) { return law.bonds(); }));
   add(HS_PART_CONTACT_DAMPING, some_law([](const ContactLaw& law) { return law.is_damped(); }));
   add(HS_PART_AREA, some_law([](const ContactLaw& law) { return law.is_per_area(); }));
   add(HS_PART_POTENTIAL, some_law([](const ContactLaw& law) { return law.is_potential(); }));
@@ -59,16 +60,16 @@ void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
 template <int D>
 void find_limit(World<D>& world, hs_world_plan& plan) {
   plan.limiting_bond = -1;
-  const typename StableStep<D>::Limit limit = world.stable_limit();
+  const typename StableStep<D>::Limit limit = world.state().stable_step.limit();
   if (limit.block < 0) return;
   plan.stable_time_step = limit.step;
   plan.limiting_block = id_of(world.blocks(), std::size_t(limit.block));
-  if (const auto neighbor = world.stiffest_neighbor_of(limit.block)) {
+  if (const auto neighbor = world.state().stable_step.stiffest_neighbor_of(limit.block)) {
     plan.limiting_neighbor = id_of(world.blocks(), std::size_t(neighbor->block));
     plan.limiting_bond = neighbor->bond;
   }
   if (!limit.by_itself || !world.blocks().is_of_mesh(std::size_t(limit.block))) return;
-  const Meshes<D>& meshes = world.meshes();
+  const Meshes<D>& meshes = world.blocks().meshes();
   const std::int32_t body = meshes.surface_of_block(std::size_t(limit.block)).body;
   plan.limiting_body = id_of(meshes, body);
   plan.limiting_cell = meshes.stiffest_cell_of(body, world.model().materials.bulk());
@@ -77,9 +78,9 @@ void find_limit(World<D>& world, hs_world_plan& plan) {
 template <int D>
 void measure(World<D>& world, std::int64_t steps, hs_world_plan& plan) {
   Stopwatch stopwatch;
-  world.set_stopwatch(&stopwatch);
+  world.stages().set_stopwatch(&stopwatch);
   while (plan.measured_steps < steps && world.step() == StepResult::ok) ++plan.measured_steps;
-  world.set_stopwatch(nullptr);
+  world.stages().set_stopwatch(nullptr);
   if (plan.measured_steps == 0) return;
   const auto a_step = [&](Pass pass) { return stopwatch.seconds(pass) / double(plan.measured_steps); };
   plan.search_seconds = a_step(Pass::search);
@@ -108,10 +109,10 @@ hs_status hs_world_get_plan(const hs_world* world, int64_t steps, hs_world_plan*
     count_meshes_and_bonds(w.blocks(), ours);
     ours.parts = active_parts(w);
     ours.bolt_count = std::int64_t(w.model().bolts.all().size());
-    ours.candidate_count = std::int64_t(w.candidates().pairs().size());
-    ours.contact_count = std::int64_t(w.contact_count());
+    ours.candidate_count = std::int64_t(w.state().contacts.neighbors().pairs().size());
+    ours.contact_count = std::int64_t(w.state().contacts.count());
     ours.block_bytes = std::int64_t(snapshot::state_size(w.blocks()));
-    ours.pair_bytes = std::int64_t(snapshot::state_size(w.contacts()));
+    ours.pair_bytes = std::int64_t(snapshot::state_size(w.state().contacts));
     find_limit(w, ours);
     measure(w, steps, ours);
     write_sized(ours, plan, size);

@@ -4,6 +4,7 @@
 #include "prepared_world.h"
 #include "refuse_step.h"
 #include "sized_struct.h"
+#include "world/relaxation/relax.h"
 #include "world_handle.h"
 
 using namespace halfspace;
@@ -67,7 +68,7 @@ hs_status hs_world_relax(hs_world* world, const hs_relaxation_def* def, hs_balan
     require_joined(w);
     const Relaxation relaxation = read_relaxation(def);
     if (balance) require_report_size(size, sizeof(hs_balance));
-    const Relaxed relaxed = w.relax(relaxation);
+    const Relaxed relaxed = relax(w, relaxation);
     require_stepped(w, relaxed.result);
     if (balance) write_balance(w, relaxed.balance, relaxed.steps, balance, size);
     return relaxed.is_at_rest ? HS_OK : HS_NOTE_NOT_AT_REST;
@@ -80,7 +81,7 @@ hs_status hs_world_get_balance(hs_world* world, hs_balance* balance, size_t size
     require_pointer(balance, "balance");
     require_report_size(size, sizeof(hs_balance));
     query_prepared(*world, w, [&](World<D>& prepared) {
-      write_balance(prepared, prepared.balance(), 0, balance, size);
+      write_balance(prepared, balance_of(prepared), 0, balance, size);
     });
     return HS_OK;
   });

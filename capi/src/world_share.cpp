@@ -6,6 +6,9 @@
 
 #include "halfspace/share.h"
 #include "sized_struct.h"
+#include "world/share/assembly.h"
+#include "world/share/shared_step.h"
+#include "world/share/shared_world.h"
 #include "world/snapshot.h"
 #include "world_handle.h"
 
@@ -23,8 +26,8 @@ template <int D>
 void require_shareable(const World<D>& w) {
   const Model<D>& model = w.model();
   const char* found = nullptr;
-  if (!w.meshes().bodies().empty()) found = "meshes";
-  if (!w.bonds().empty()) found = "bonds of bond.h";
+  if (!w.blocks().meshes().bodies().empty()) found = "meshes";
+  if (!w.blocks().bonds().empty()) found = "bonds of bond.h";
   if (!w.blocks().compounds().empty()) found = "compounds";
   if (!model.bolts.empty()) found = "bolts";
   if (model.actions.any([](const Action<D>& action) { return action.kind == ActionKind::servo; }))
@@ -38,7 +41,7 @@ void require_shareable(const World<D>& w) {
 
 template <int D>
 ShareRole role_of(const World<D>& w, std::size_t slot) {
-  return w.blocks().moves_freely(slot) ? w.share().role_of(slot) : ShareRole::everywhere;
+  return w.blocks().moves_freely(slot) ? w.state().share.role_of(slot) : ShareRole::everywhere;
 }
 
 template <int D>
@@ -50,7 +53,7 @@ std::int32_t load_length_of(const World<D>& w) {
 template <int D, class IsRight>
 std::size_t slot_of_key(const World<D>& w, const std::int64_t keys[], std::int64_t i, const char* wanted,
                         IsRight is_right, std::size_t& last) {
-  const std::int32_t slot = w.living_slot_of(keys[i], last);
+  const std::int32_t slot = living_slot_of(w.state(), keys[i], last);
   if (slot < 0 || !is_right(role_of(w, std::size_t(slot)))) {
     refuse(HS_ERROR_STALE_ID, "keys[%lld] is %lld; no %s has that key", static_cast<long long>(i),
            static_cast<long long>(keys[i]), wanted);
@@ -64,9 +67,14 @@ void require_piece(bool is_right, const char* wanted) {
 
 template <int D>
 void require_loads_computed(const World<D>& w) {
-  const ShareStage stage = w.share().stage();
+  const ShareStage stage = w.state().share.stage();
   require_piece(stage == ShareStage::begun || stage == ShareStage::moved,
                 "hs_world_begin() or hs_world_move()");
+}
+
+template <int D>
+SharedStep<D> shared_step(World<D>& w) {
+  return {w.state(), w.stages()};
 }
 
 hs_share_plan plan_of(const SharedMotion& motion) {
@@ -138,7 +146,7 @@ hs_world* assemble(hs_context* context, World<D>& from, const hs_packed blocks[]
   }
   WorldHandle<D>* share = create<WorldHandle<D>>(context, context, WorldSettings<D>());
   try {
-    const AssemblyFault fault = share->world.assemble(from, packed);
+    const AssemblyFault fault = assemble(share->world, from, packed);
     if (fault.kind != AssemblyFault::none) refuse_assembly(fault, packed);
     require_all_everywhere(from, packed);
   } catch (...) {
@@ -164,7 +172,7 @@ hs_status hs_world_set_keys(hs_world* world, const int64_t keys[], int64_t count
                static_cast<long long>(i), static_cast<long long>(keys[i]));
       }
     }
-    w.set_keys({keys, std::size_t(count)});
+    set_keys(w.state(), {keys, std::size_t(count)});
     return HS_OK;
   });
 }
@@ -174,7 +182,7 @@ hs_status hs_world_get_keys(const hs_world* world, int64_t keys[], int64_t capac
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(keys, "keys");
     return write_blocks(w.blocks(), capacity, count,
-                        [&](std::int64_t i, std::size_t s) { keys[i] = w.share().key_of(s); });
+                        [&](std::int64_t i, std::size_t s) { keys[i] = w.state().share.key_of(s); });
   });
 }
 
@@ -197,11 +205,11 @@ hs_status hs_world_get_share_info(hs_world* world, hs_share_info* info, size_t s
     const hs_share_info ours{of_role[HS_ROLE_OWN],
                              of_role[HS_ROLE_NEIGHBOR],
                              of_role[HS_ROLE_EVERYWHERE],
-                             w.share().lost_pairs(),
+                             w.state().share.lost_pairs(),
                              load_length_of(w),
-                             w.share().is_whole(),
-                             w.halo(),
-                             w.common_of_shares().blocks};
+                             w.state().share.is_whole(),
+                             halo(w.state()),
+                             common_of_shares(w.state()).blocks};
     write_sized(ours, info, size);
     return HS_OK;
   });
@@ -221,10 +229,11 @@ hs_status hs_world_pack(hs_world* world, const int64_t keys[], int64_t count, in
     const auto for_each_record = [&](auto use) {
       std::size_t last = 0;
       for (std::int64_t i = 0; i < count; ++i) {
-        w.record(slot_of_key(
-                     w, keys, i, "own block and none that is everywhere",
-                     [](ShareRole role) { return role != ShareRole::neighbor; }, last),
-                 with_shapes != 0, record);
+        write_record(w.state(),
+                     slot_of_key(
+                         w, keys, i, "own block and none that is everywhere",
+                         [](ShareRole role) { return role != ShareRole::neighbor; }, last),
+                     with_shapes != 0, record);
         use(i);
       }
     };
@@ -259,8 +268,8 @@ hs_status hs_world_assemble(hs_context* context, hs_world* from, const hs_packed
 hs_status hs_world_get_sums(const hs_world* world, double sums[]) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_pointer(sums, "sums");
-    const auto ledger = std::bit_cast<std::array<double, ledger_count>>(w.ledger_sums());
-    const Momentum<D> momentum = w.momentum();
+    const auto ledger = std::bit_cast<std::array<double, ledger_count>>(w.state().ledger.sums());
+    const Momentum<D> momentum = momentum_of(w.state());
     write_vector(momentum.linear, std::copy(ledger.begin(), ledger.end(), sums));
     write_angular(momentum.angular, sums + ledger_count + 3);
     return HS_OK;
@@ -276,7 +285,7 @@ hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
         refuse(HS_ERROR_ARGUMENT, "sums[%zu] is %g; it must be finite", i, sums[i]);
       all[i] = sums[i];
     }
-    w.set_ledger_sums(std::bit_cast<EnergyLedger::Sums>(all));
+    set_ledger_sums(w.state(), std::bit_cast<EnergyLedger::Sums>(all));
     return HS_OK;
   });
 }
@@ -284,20 +293,20 @@ hs_status hs_world_set_sums(hs_world* world, const double sums[]) {
 hs_status hs_world_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_shareable(w);
-    require_piece(w.share().stage() != ShareStage::moved, "hs_world_end_step()");
+    require_piece(w.state().share.stage() != ShareStage::moved, "hs_world_end_step()");
     require_copies_in_place(w);
-    const StepResult result = w.begin_in_share();
+    const StepResult result = shared_step(w).begin();
     if (result != StepResult::ok) refuse(HS_ERROR_STATE, "the world has no time step");
-    w.share().enter(ShareStage::begun);
+    w.state().share.enter(ShareStage::begun);
     return HS_OK;
   });
 }
 
 hs_status hs_world_end_begin(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_piece(w.share().stage() == ShareStage::begun, "hs_world_begin()");
-    if (w.is_changed()) w.end_beginning();
-    w.share().enter(ShareStage::ready);
+    require_piece(w.state().share.stage() == ShareStage::begun, "hs_world_begin()");
+    if (w.state().is_edited()) shared_step(w).end_beginning();
+    w.state().share.enter(ShareStage::ready);
     return HS_OK;
   });
 }
@@ -307,9 +316,9 @@ hs_status hs_world_plan_motion(hs_world* world, hs_share_plan* plan) {
     require_pointer(plan, "plan");
     require_shareable(w);
     require_between_steps(w);
-    require_piece(!w.is_changed() && !w.contacts().has_new_blocks(),
+    require_piece(!w.state().is_edited() && !w.state().contacts.has_new_blocks(),
                   "hs_world_begin() and hs_world_end_begin()");
-    *plan = plan_of(w.plan_in_share());
+    *plan = plan_of(shared_step(w).predict());
     return HS_OK;
   });
 }
@@ -317,18 +326,18 @@ hs_status hs_world_plan_motion(hs_world* world, hs_share_plan* plan) {
 hs_status hs_world_renew_list(hs_world* world, hs_share_plan* plan) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_pointer(plan, "plan");
-    require_piece(w.share().stage() == ShareStage::planned, "hs_world_plan_motion()");
-    *plan = plan_of(w.renew_list_in_share());
+    require_piece(w.state().share.stage() == ShareStage::planned, "hs_world_plan_motion()");
+    *plan = plan_of(shared_step(w).renew_list());
     return HS_OK;
   });
 }
 
 hs_status hs_world_move(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_piece(w.share().stage() == ShareStage::planned, "hs_world_plan_motion()");
-    require_piece(!w.candidates().needs_rebuild(), "hs_world_renew_list()");
-    w.move_and_load();
-    w.share().enter(ShareStage::moved);
+    require_piece(w.state().share.stage() == ShareStage::planned, "hs_world_plan_motion()");
+    require_piece(!w.state().contacts.neighbors().needs_rebuild(), "hs_world_renew_list()");
+    shared_step(w).move();
+    w.state().share.enter(ShareStage::moved);
     return HS_OK;
   });
 }
@@ -380,7 +389,7 @@ hs_status hs_world_set_loads(hs_world* world, const int64_t keys[], int64_t coun
         for (int row = 0; row < D; ++row)
           for (int column = 0; column < D; ++column) virial(row, column) = *in++;
       }
-      w.set_loads(slot(i), force, torque, virial);
+      shared_step(w).set_loads(slot(i), force, torque, virial);
     }
     return HS_OK;
   });
@@ -388,9 +397,9 @@ hs_status hs_world_set_loads(hs_world* world, const int64_t keys[], int64_t coun
 
 hs_status hs_world_end_step(hs_world* world) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
-    require_piece(w.share().stage() == ShareStage::moved, "hs_world_move()");
-    w.end_step_in_share();
-    w.share().enter(ShareStage::ready);
+    require_piece(w.state().share.stage() == ShareStage::moved, "hs_world_move()");
+    shared_step(w).end();
+    w.state().share.enter(ShareStage::ready);
     return HS_OK;
   });
 }

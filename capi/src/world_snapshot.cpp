@@ -20,11 +20,11 @@ hs_status hs_world_save(const hs_world* world, void* bytes, size_t capacity, siz
     require_between_steps(w);
     require_pointer(count, "count");
     if (capacity > 0) require_pointer(bytes, "bytes");
-    const std::size_t size = snapshot::state_size(w);
+    const std::size_t size = snapshot::state_size(w.state());
     *count = sizeof(Header) + size;
     if (*count > capacity) return HS_NOTE_TRUNCATED;
     std::byte* state = static_cast<std::byte*>(bytes) + sizeof(Header);
-    snapshot::write_state(w, state);
+    snapshot::write_state(w.state(), state);
     Header header;
     header.dimension = D;
     header.size = size;

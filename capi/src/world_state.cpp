@@ -9,7 +9,7 @@ namespace {
 template <int D>
 hs_block_state state_of(const World<D>& world, std::size_t slot) {
   const Blocks<D>& blocks = world.blocks();
-  const auto hard = world.hard_contacts().load_on(slot);
+  const auto hard = world.state().hard_contacts.load_on(slot);
   hs_block_state state{};
   state.kind = std::int32_t(blocks.kind[slot]);
   state.material = blocks.material[slot];

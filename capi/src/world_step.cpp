@@ -28,7 +28,7 @@ hs_energy energy_of(const Ledger& ledger) {
 
 template <int D>
 void require_detected(const World<D>& world) {
-  if (!world.is_detected()) {
+  if (!world.state().contacts.are_found()) {
     refuse(HS_ERROR_STATE, "poses, blocks or laws have changed; call hs_world_detect() first");
   }
 }
@@ -50,19 +50,20 @@ static_assert(int(Meeting::corner_and_face) == HS_PAIR_VERTEX_FACE &&
 
 template <int D>
 std::int64_t contact_count_of(const World<D>& world) {
-  return std::int64_t(world.contact_count() + world.hard_contacts().count());
+  return std::int64_t(world.state().contacts.count() + world.state().hard_contacts.count());
 }
 
 template <int D>
 void write_spring_contact(const World<D>& world, std::size_t c, hs_contact& out) {
   const Blocks<D>& blocks = world.blocks();
-  const Candidate<D>& pair = world.candidate_of(c);
+  const Candidate<D>& pair = world.state().contacts.pair_of(c);
   const Vector<D>& origin = blocks.position[std::size_t(pair.a)];
   out.block_a = id_of(blocks, std::size_t(pair.a));
   out.block_b = id_of(blocks, std::size_t(pair.b));
-  Contact<D> contact = world.contact(c);
+  Contact<D> contact = world.state().contacts.contact(c);
   // Forces may not have been evaluated since detection.
-  if (world.knows_forces()) write_force(world.contact_force(c), contact.normal, origin, out);
+  if (world.state().forces.are_known())
+    write_force(world.state().forces.of_contact(c), contact.normal, origin, out);
   place(contact, Rotation<D>(), origin);
   write_contact(contact, out);
 }
@@ -126,50 +127,52 @@ void write_rigid_contact(const World<D>& world, const RigidContact<D>& at, hs_co
   out.gap = at.min_gap();
   write_vector(center, out.center);
   write_vector(at.normal, out.normal);
-  write_force(world.hard_contacts().rigid().load_of(at), at.normal, blocks.position[std::size_t(at.a)], out);
+  write_force(world.state().hard_contacts.rigid().load_of(at), at.normal, blocks.position[std::size_t(at.a)],
+              out);
   out.touched_at = at.touched_at;
 }
 
 template <int D>
 void write_hard_contact(const World<D>& world, std::size_t c, hs_contact& out) {
-  const Array<PointContact<D>>& points = world.hard_contacts().points();
+  const Array<PointContact<D>>& points = world.state().hard_contacts.points();
   if (c < points.size()) return write_constraint(world, points[c], out);
-  write_rigid_contact(world, world.hard_contacts().rigid().all()[c - points.size()], out);
+  write_rigid_contact(world, world.state().hard_contacts.rigid().all()[c - points.size()], out);
 }
 
 template <int D>
 void write_report(World<D>& w, hs_world_report* report, std::size_t size) {
-  const double stable = w.stable_time_step();
-  const double overlap = w.largest_overlap();
-  const hs_world_report ours = {D,
-                                0,
-                                w.steps(),
-                                w.time(),
-                                w.time_step(),
-                                std::isfinite(stable) ? stable : 0,
-                                w.blocks().count(),
-                                std::int64_t(w.candidates().pairs().size()),
-                                contact_count_of(w),
-                                w.candidates().builds(),
-                                overlap,
-                                w.largest_speed(),
-                                energy_of(w.ledger()),
-                                w.knows_potential() ? w.potential_length() : 0,
-                                w.ledger().block_strain,
-                                w.ledger().block_damping_loss,
-                                w.divided_steps(),
-                                w.max_penetration_ratio(),
-                                std::max(w.peak_overlap(), overlap),
-                                w.peak_speed(),
-                                w.sleeping_count(),
-                                w.max_sleep_error(),
-                                w.hard_contacts().touches(),
-                                w.hard_contacts().iterations(),
-                                w.ledger().impact_loss,
-                                w.hard_contacts().unbalanced_velocity(),
-                                w.ledger().water,
-                                w.bolt_strain_energy(),
-                                w.ledger().bolt_loss};
+  const double stable = w.state().stable_step.bound();
+  const double overlap = w.state().largest_overlap();
+  const hs_world_report ours = {
+      D,
+      0,
+      w.state().clock.steps(),
+      w.state().clock.time(),
+      w.state().clock.time_step(),
+      std::isfinite(stable) ? stable : 0,
+      w.blocks().count(),
+      std::int64_t(w.state().contacts.neighbors().pairs().size()),
+      contact_count_of(w),
+      w.state().contacts.neighbors().builds(),
+      overlap,
+      w.state().largest_speed(),
+      energy_of(w.state().ledger.entries()),
+      w.model().materials.laws().knows_potential() ? w.model().potential_length() : 0,
+      w.state().ledger.entries().block_strain,
+      w.state().ledger.entries().block_damping_loss,
+      w.state().clock.divided_steps(),
+      w.state().penetration_bound.deepest(),
+      std::max(w.state().contacts.peak_overlap(), overlap),
+      w.state().peak_speed,
+      w.state().sleep.count(),
+      w.state().sleep.max_error(w.state().clock.time()),
+      w.state().hard_contacts.touches(),
+      w.state().hard_contacts.iterations(),
+      w.state().ledger.entries().impact_loss,
+      w.state().hard_contacts.unbalanced_velocity(),
+      w.state().ledger.entries().water,
+      w.state().bolt_strain,
+      w.state().ledger.entries().bolt_loss};
   write_sized(ours, report, size);
 }
 
@@ -179,7 +182,7 @@ hs_status hs_world_detect(hs_world* world, int64_t* touching) {
   return with_world(world, __func__, [&]<int D>(World<D>& w) {
     require_copies_in_place(w);
     w.detect();
-    if (touching) *touching = std::int64_t(w.contact_count());
+    if (touching) *touching = std::int64_t(w.state().contacts.count());
     return HS_OK;
   });
 }
@@ -212,7 +215,7 @@ hs_status hs_world_get_report(hs_world* world, hs_world_report* report, size_t s
     require_report_size(size, offsetof(hs_world_report, energy) + sizeof(hs_energy));
     // Of several shares none evaluates a change alone, as blocks that it has taken over still count in
     // another.
-    if (w.share().has_losses_of_its_own()) {
+    if (w.state().share.has_losses_of_its_own()) {
       write_report(w, report, size);
     } else {
       query_prepared(*world, w, [&](World<D>& prepared) { write_report(prepared, report, size); });
@@ -231,10 +234,10 @@ hs_status hs_world_get_contacts(const hs_world* world, hs_contact contacts[], in
     return write_all(all, capacity, [&](int i) {
       const std::size_t c = std::size_t(i);
       contacts[i] = {};
-      if (c < w.contact_count()) {
+      if (c < w.state().contacts.count()) {
         write_spring_contact(w, c, contacts[i]);
       } else {
-        write_hard_contact(w, c - w.contact_count(), contacts[i]);
+        write_hard_contact(w, c - w.state().contacts.count(), contacts[i]);
       }
     });
   });
@@ -247,7 +250,7 @@ hs_status hs_world_set_shear_force(hs_world* world, hs_block block_a, hs_block b
     const std::int32_t a = slot_of(w.blocks(), block_a, "block_a");
     const std::int32_t b = slot_of(w.blocks(), block_b, "block_b");
     require_detected(w);
-    const std::optional<std::size_t> contact = w.contact_between(a, b);
+    const std::optional<std::size_t> contact = w.state().contacts.contact_between(a, b);
     if (!contact) {
       refuse(HS_ERROR_STALE_ID, "block_a %#llx and block_b %#llx are not in contact",
              static_cast<unsigned long long>(block_a), static_cast<unsigned long long>(block_b));

@@ -3,6 +3,7 @@
 #include "halfspace/strength.h"
 #include "refuse_step.h"
 #include "sized_struct.h"
+#include "world/relaxation/relax.h"
 #include "world/relaxation/strength.h"
 #include "world_bytes.h"
 
@@ -59,8 +60,10 @@ template <int D>
 class Trials {
  public:
   Trials(hs_context* context, const World<D>& world, const Relaxation& relaxation)
-      : context_(context), relaxation_(relaxation), state_(snapshot::state_size(world), &context->memory) {
-    snapshot::write_state(world, state_.data());
+      : context_(context),
+        relaxation_(relaxation),
+        state_(snapshot::state_size(world.state()), &context->memory) {
+    snapshot::write_state(world.state(), state_.data());
   }
   Trials(const Trials&) = delete;
   Trials& operator=(const Trials&) = delete;
@@ -71,7 +74,7 @@ class Trials {
     try {
       copy->world.set_strength_factor(factor);
       copy->world.hold_bonds(false);
-      const Relaxed relaxed = copy->world.relax(relaxation_);
+      const Relaxed relaxed = relax(copy->world, relaxation_);
       if (relaxed.result == StepResult::no_time_step) require_stepped(copy->world, relaxed.result);
       if (!relaxed.is_at_rest) std::swap(copy, fallen_);
       end(copy);

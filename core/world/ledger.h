@@ -75,6 +75,7 @@ class EnergyLedger {
   const Ledger& entries() const { return entries_; }
 
   void set_contact_strain(double strain) { entries_.strain = strain; }
+  void add_contact_strain(double strain) { entries_.strain += strain; }
   void set_water(double energy) { entries_.water = energy; }
   void add_bolt_loss(double loss) { entries_.bolt_loss += loss; }
   void add_friction_loss(double loss) { entries_.friction_loss += loss; }

@@ -114,7 +114,7 @@ TEST_CASE("potentials strain affine blocks by the gradient of the overlap energy
     for (const std::int32_t slot : slots)
       scene.world.set_deformation(slot, strained(random, 0.05), Tensor<2>::Zero());
     REQUIRE(scene.world.prepare() == StepResult::ok);
-    if (!(scene.world.ledger().strain > 0)) continue;
+    if (!(scene.world.state().ledger.entries().strain > 0)) continue;
     for (const std::int32_t slot : slots) {
       const Tensor<2> gradient = scene.deformation(slot).gradient;
       REQUIRE(scene.world.prepare() == StepResult::ok);
@@ -124,7 +124,7 @@ TEST_CASE("potentials strain affine blocks by the gradient of the overlap energy
         changed(k) += change;
         scene.world.set_deformation(slot, changed, Tensor<2>::Zero());
         REQUIRE(scene.world.prepare() == StepResult::ok);
-        return scene.world.ledger().strain;
+        return scene.world.state().ledger.entries().strain;
       };
       for (int k = 0; k < 4; ++k)
         worst = std::max(worst, std::abs(-(energy_at(k, h) - energy_at(k, -h)) / (2 * h) - force(k)));
@@ -143,13 +143,15 @@ double residual_of_collision(const Shape<2>& a, const Shape<2>& b, double offset
   scene.add(a, {0, 0}, {0, 0}, Angular<2>(1.0));
   scene.add(b, {2.02 + phase * time_step, offset}, {-2, 0}, Angular<2>(-2.0));
   REQUIRE(scene.world.prepare() == StepResult::ok);
-  const double before = scene.world.ledger().total();
+  const double before = scene.world.state().ledger.entries().total();
   bool met = false;
   for (double time = 0; time < 0.8; time += time_step) {
     scene.step();
-    met = met || scene.world.contact_count() > 0;
+    met = met || scene.world.state().contacts.count() > 0;
   }
-  return met && scene.world.contact_count() == 0 ? std::abs(scene.world.ledger().residual()) / before : -1;
+  return met && scene.world.state().contacts.count() == 0
+             ? std::abs(scene.world.state().ledger.entries().residual()) / before
+             : -1;
 }
 
 }  // namespace
@@ -185,7 +187,7 @@ TEST_CASE("blocks of all kinds in one world keep momentum and angular momentum, 
     bool met = false;
     for (int i = 0; i < steps; ++i) {
       scene.step();
-      met = met || scene.world.contact_count() > 0;
+      met = met || scene.world.state().contacts.count() > 0;
     }
     CHECK(met);
     // Each step rounds momenta as large as these.
@@ -235,7 +237,7 @@ TEST_CASE("affine blocks that come and go leave the others as they are, and thei
   const auto check = [&] {
     alone.step(20);
     crowd.step(20);
-    CHECK(crowd.world.is_consistent());
+    CHECK(crowd.world.state().is_consistent());
     for (int i = 0; i < 3; ++i) {
       CHECK(crowd.deformation(kept[i]).slot == kept[i]);
       const bool moves_the_same = motion_of(crowd.world, kept[i]) == motion_of(alone.world, kept_alone[i]);
@@ -253,7 +255,7 @@ TEST_CASE("affine blocks that come and go leave the others as they are, and thei
   }
   for (int i = 0; i < 3; ++i) crowd.world.remove_block(kept[i]);
   crowd.step(20);
-  CHECK(crowd.world.is_consistent());
+  CHECK(crowd.world.state().is_consistent());
 }
 
 TEST_CASE("rigid blocks do to the bit what they do in a world without affine blocks") {
@@ -270,7 +272,7 @@ TEST_CASE("rigid blocks do to the bit what they do in a world without affine blo
   mixed.add(shape_of(rectangle(1, 1)), {0, 50}, {0, 0}, Angular<2>(3.0));
   plain.step(3000);
   mixed.step(3000);
-  REQUIRE(plain.world.ledger().friction_loss > 0);
+  REQUIRE(plain.world.state().ledger.entries().friction_loss > 0);
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(plain.world.blocks().position[i] == mixed.world.blocks().position[i]);
     CHECK(plain.world.blocks().velocity[i] == mixed.world.blocks().velocity[i]);
@@ -297,7 +299,7 @@ TEST_CASE("in space, affine blocks in other units do the same to the bit, scaled
     const std::int32_t b = scene.add(block_of(scaled(clouds[1], length)), {1.9 * length, 0.2 * length, 0},
                                      {-4 * length, 0, 0}, {0, -1, 0});
     scene.step(3000);
-    REQUIRE(scene.world.ledger().friction_loss > 0);
+    REQUIRE(scene.world.state().ledger.entries().friction_loss > 0);
     std::vector<double> values;
     for (const std::int32_t slot : {a, b}) {
       const Deformation<3>& deformation = scene.deformation(slot);

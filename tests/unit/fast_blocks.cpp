@@ -87,14 +87,14 @@ void check_return(StiffnessKind kind, BlockKind of_bar) {
     const std::int32_t bar = scene.add(plate<D>(thickness), of_bar, start, speed);
     INFO(D << "D, " << name_of(kind) << ", " << speed_in_steps << " thicknesses a step");
     int steps = 0;
-    for (; scene.speed(bar) > 0 || scene.world.contact_count() > 0; ++steps) {
+    for (; scene.speed(bar) > 0 || scene.world.state().contacts.count() > 0; ++steps) {
       REQUIRE(scene.world.step() == StepResult::ok);
       REQUIRE(scene.place(bar) < 0);
       REQUIRE(steps < 1000);
     }
-    CHECK(scene.world.time() == steps * time_step);
+    CHECK(scene.world.state().clock.time() == steps * time_step);
     CHECK(std::abs(scene.speed(bar) + speed) <= 0.02 * speed);
-    CHECK(std::abs(scene.world.ledger().residual()) <= 0.02 * 0.5 * mass * speed * speed);
+    CHECK(std::abs(scene.world.state().ledger.entries().residual()) <= 0.02 * 0.5 * mass * speed * speed);
   }
 }
 
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE_SIG("blocks that fly at each other fast keep momentum and ene
       const std::int32_t right = scene.add(plate<D>(thickness), BlockKind::rigid, start, -3 * speed / 4);
       INFO(D << "D, " << name_of(kind) << ", " << speed_in_steps << " thicknesses a step");
       int steps = 0;
-      for (; scene.speed(left) > scene.speed(right) || scene.world.contact_count() > 0; ++steps) {
+      for (; scene.speed(left) > scene.speed(right) || scene.world.state().contacts.count() > 0; ++steps) {
         REQUIRE(scene.world.step() == StepResult::ok);
         REQUIRE(scene.place(left) < scene.place(right));
         REQUIRE(steps < 1000);
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("blocks that fly at each other fast keep momentum and ene
       // Bars of one mass change their velocities.
       CHECK(std::abs(scene.speed(left) + 3 * speed / 4) <= 0.02 * speed);
       CHECK(std::abs(scene.speed(left) + scene.speed(right) + speed / 2) <= 1e-12 * speed);
-      CHECK(std::abs(scene.world.ledger().residual()) <= 0.02 * mass * speed * speed);
+      CHECK(std::abs(scene.world.state().ledger.entries().residual()) <= 0.02 * mass * speed * speed);
     }
   }
 }
@@ -149,7 +149,7 @@ TEMPLATE_TEST_CASE_SIG("a plate that is driven through a bar at rest takes it al
       const std::int32_t bar = scene.add(plate<D>(thickness), BlockKind::rigid, 0);
       INFO(D << "D, " << name_of(kind) << ", " << speed_in_steps << " thicknesses a step");
       int steps = 0;
-      for (; scene.speed(bar) < speed || scene.world.contact_count() > 0; ++steps) {
+      for (; scene.speed(bar) < speed || scene.world.state().contacts.count() > 0; ++steps) {
         REQUIRE(scene.world.step() == StepResult::ok);
         REQUIRE(scene.place(plate_slot) < scene.place(bar));
         REQUIRE(steps < 1000);
@@ -168,8 +168,8 @@ StepResult result_of_bounce(const ContactLaw& law, double speed, const WorldSett
   const std::int32_t bar = scene.add(plate<D>(thickness), BlockKind::rigid, -10 * thickness, speed);
   StepResult result = StepResult::ok;
   while (result == StepResult::ok && scene.speed(bar) > 0) result = scene.world.step();
-  fast = scene.world.fast_pair();
-  CHECK(scene.world.divided_steps() == 0);
+  fast = scene.world.state().continuous_collision.pair();
+  CHECK(scene.world.state().clock.divided_steps() == 0);
   CHECK(scene.place(bar) < -0.5 * thickness);  // the middles never pass
   return result;
 }
@@ -212,9 +212,9 @@ TEMPLATE_TEST_CASE_SIG("a step that would be divided without end is refused wher
     REQUIRE(scene.world.step() == StepResult::too_fast);
     const double way = scene.world.blocks().position[std::size_t(sliding)].y();
     CHECK(way == Approx(calls * max_motions * 0.5 * 0.25 * thin));
-    CHECK(scene.world.steps() == 0);
-    CHECK(scene.world.fast_pair().speed == Approx(speed));
-    CHECK(scene.world.fast_pair().time_step == Approx(0.25 * thin / speed));
+    CHECK(scene.world.state().clock.steps() == 0);
+    CHECK(scene.world.state().continuous_collision.pair().speed == Approx(speed));
+    CHECK(scene.world.state().continuous_collision.pair().time_step == Approx(0.25 * thin / speed));
   }
 }
 
@@ -238,8 +238,8 @@ double told_stop(const Throw& thrown, double step) {
   spin[0] = thrown.spin;
   const double fall = spin[0] != 0 ? 0 : -100;
   scene.world.set_velocity(bar, {thrown.speed_along, fall}, spin);
-  while (scene.world.time() < 0.03) REQUIRE(scene.world.step() == StepResult::ok);
-  return scene.world.max_penetration_ratio();
+  while (scene.world.state().clock.time() < 0.03) REQUIRE(scene.world.step() == StepResult::ok);
+  return scene.world.state().penetration_bound.deepest();
 }
 
 }  // namespace
@@ -266,7 +266,7 @@ TEST_CASE("a bar that flies along a plate is not told to be stopped by it") {
   scene.world.set_velocity(bar, {100, 0}, Angular<2>::Zero());
   for (int i = 0; i < 100; ++i) {
     REQUIRE(scene.world.step() == StepResult::ok);
-    CHECK(scene.world.max_penetration_ratio() <= 1e-9);
+    CHECK(scene.world.state().penetration_bound.deepest() <= 1e-9);
   }
 }
 
@@ -280,7 +280,7 @@ TEST_CASE("what lies deep at rest is told as deep") {
   scene.add(plate<2>(thickness), BlockKind::fixed, 0);
   scene.add(plate<2>(thickness), BlockKind::rigid, thickness - depth);
   REQUIRE(scene.world.step() == StepResult::ok);
-  CHECK(scene.world.max_penetration_ratio() == Approx(0.3).epsilon(1e-3));
+  CHECK(scene.world.state().penetration_bound.deepest() == Approx(0.3).epsilon(1e-3));
 }
 
 namespace {
@@ -307,11 +307,11 @@ Vector<D> first_normal(const Vector<2>& start, const Vector<2>& velocity, double
   scene.world.add_block(cube(), BlockKind::fixed, 0, Vector<D>::Zero(), {});
   const std::int32_t thrown = scene.world.add_block(cube(), BlockKind::rigid, 0, placed(start), {});
   scene.world.set_velocity(thrown, placed(velocity), Angular<D>::Zero());
-  for (int i = 0; i < 100000 && scene.world.contact_count() == 0; ++i) {
+  for (int i = 0; i < 100000 && scene.world.state().contacts.count() == 0; ++i) {
     REQUIRE(scene.world.step() == StepResult::ok);
   }
-  REQUIRE(scene.world.contact_count() == 1);
-  return scene.world.contact(0).normal;
+  REQUIRE(scene.world.state().contacts.count() == 1);
+  return scene.world.state().contacts.contact(0).normal;
 }
 
 }  // namespace

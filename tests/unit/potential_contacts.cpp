@@ -108,10 +108,10 @@ TEST_CASE("a contact of potentials is described where it is least deep, however 
       while (gap() <= 0) distance += 10 * depth;
       while (gap() > -depth) distance -= 0.1 * depth;
       two.put(distance * way, 0);
-      REQUIRE(two.world.contact_count() == 1);
+      REQUIRE(two.world.state().contacts.count() == 1);
       // Read now and then, not in every step.
       if (step % 10 != 0) continue;
-      const Contact<3> contact = two.world.contact(0);
+      const Contact<3> contact = two.world.state().contacts.contact(0);
       const Separation<3> least_deep =
           pair_of_largest_gap(dome.outline(), grain.outline(), Vector<3>(distance * way));
       // Deeper where it is of a face beside edges that pass each other beyond their ends, or beside a tilted
@@ -164,8 +164,8 @@ TEST_CASE("in space, a contact of potentials that ends gives up what its shear s
   two.world.set_velocity(two.upper, {speed, 0, 0}, Vector<3>::Zero());
   for (int step = 0; step < steps; ++step) two.put({step * speed * elapsed, 0, 1 - 1e-3}, elapsed);
   const double slip = steps * speed * elapsed, held = 0.5 * 1e6 * slip * slip;
-  CHECK(two.world.ledger().friction_loss == Approx(0).margin(1e-9 * held));
+  CHECK(two.world.state().ledger.entries().friction_loss == Approx(0).margin(1e-9 * held));
   two.put({0, 0, 1 + 1e-3}, elapsed);
-  CHECK(two.world.ledger().friction_loss == Approx(held));
-  CHECK(two.world.ledger().strain == 0);
+  CHECK(two.world.state().ledger.entries().friction_loss == Approx(held));
+  CHECK(two.world.state().ledger.entries().strain == 0);
 }

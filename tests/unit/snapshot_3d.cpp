@@ -33,8 +33,8 @@ class FilledMemory : public Memory {
 using Bytes = std::vector<std::byte>;
 
 Bytes bytes_of(const World<3>& world) {
-  Bytes bytes(snapshot::state_size(world));
-  snapshot::write_state(world, bytes.data());
+  Bytes bytes(snapshot::state_size(world.state()));
+  snapshot::write_state(world.state(), bytes.data());
   return bytes;
 }
 
@@ -92,10 +92,10 @@ void use(World<3>& world) {
   for (int i = 0; i < 3; ++i)
     if (world.step() != StepResult::ok) break;
   world.detect();
-  for (std::size_t c = 0; c < world.contact_count(); ++c) world.contact(c);
+  for (std::size_t c = 0; c < world.state().contacts.count(); ++c) world.state().contacts.contact(c);
   for (std::size_t i = 0; i < world.blocks().slot_count(); ++i)
     if (world.blocks().lives(i) && i % 2 == 0) world.remove_block(std::int32_t(i));
-  if (world.material_count() > 0)
+  if (world.model().materials.count() > 0)
     world.add_block(shape_of(completed(box({1, 1, 1}))), BlockKind::rigid, 0, {0, 0, 5}, {});
   world.step();
   for (std::size_t i = 0; i < world.blocks().slot_count(); ++i)

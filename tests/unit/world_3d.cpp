@@ -81,9 +81,9 @@ TEST_CASE("in space, free fall and a throw are parabolas, to rounding") {
   scene.world.set_velocity(thrown, velocity, spin);
   REQUIRE(scene.world.prepare() == StepResult::ok);
   const Vector<3> turning = scene.world.blocks().momentum[std::size_t(thrown)];
-  const double energy = scene.world.ledger().total();
+  const double energy = scene.world.state().ledger.entries().total();
   scene.step(steps);
-  const double t = scene.world.time();
+  const double t = scene.world.state().clock.time();
   CHECK(t == 2);
   CHECK((scene.position(falls) - (Vector<3>(0, 0, 50) + 0.5 * t * t * gravity)).norm() <
         steps * 50 * 0x1p-53);
@@ -94,7 +94,7 @@ TEST_CASE("in space, free fall and a throw are parabolas, to rounding") {
   // square of the spin times the step.
   CHECK(scene.world.blocks().momentum[std::size_t(thrown)] == turning);
   const double share = std::pow(spin.norm() * step, 2) / 24;
-  CHECK(scene.world.ledger().total() == Approx(energy).epsilon(share));
+  CHECK(scene.world.state().ledger.entries().total() == Approx(energy).epsilon(share));
 }
 
 TEST_CASE("in space, ten cubes in a stack come to rest and stay: each under the weight above it") {
@@ -112,7 +112,7 @@ TEST_CASE("in space, ten cubes in a stack come to rest and stay: each under the 
     slots[i] = scene.add(block, BlockKind::rigid, {0.03 * (i % 2), -0.02 * (i % 3), 0.5 + i}, turn);
   }
   const auto run_until = [&](double time) {
-    while (scene.world.time() < time) REQUIRE(scene.world.step() == StepResult::ok);
+    while (scene.world.state().clock.time() < time) REQUIRE(scene.world.step() == StepResult::ok);
   };
   run_until(9);
   Vector<3> settled[count];
@@ -131,10 +131,10 @@ TEST_CASE("in space, ten cubes in a stack come to rest and stay: each under the 
     // slope of a few centimetres of lever, a few times the compression at 0.5.
     CHECK(scene.position(slots[i]).z() == Approx(0.5 + i - compressed).margin(0.05 * compressed));
   }
-  REQUIRE(scene.world.contact_count() == count);
-  for (std::size_t c = 0; c < scene.world.contact_count(); ++c) {
-    const std::int32_t upper = scene.world.candidate_of(c).b;
-    CHECK(scene.world.contact_force(c).force.z() ==
+  REQUIRE(scene.world.state().contacts.count() == count);
+  for (std::size_t c = 0; c < scene.world.state().contacts.count(); ++c) {
+    const std::int32_t upper = scene.world.state().contacts.pair_of(c).b;
+    CHECK(scene.world.state().forces.of_contact(c).force.z() ==
           Approx((count - (upper - slots[0])) * weight).epsilon(1e-6));
   }
   CHECK(scene.position(ground) == Vector<3>(0, 0, -0.5));
@@ -157,7 +157,7 @@ TEST_CASE("in space, two blocks that collide keep momentum, and a boost changes 
     double most_strain = 0;
     for (int i = 0; i < 3000; ++i) {
       REQUIRE(scene.world.step() == StepResult::ok);
-      most_strain = std::max(most_strain, scene.world.ledger().strain);
+      most_strain = std::max(most_strain, scene.world.state().ledger.entries().strain);
     }
     CHECK(most_strain > 100);
     CHECK((scene.momentum() - momentum).norm() < 1e-11 * momentum.norm());
@@ -169,7 +169,7 @@ TEST_CASE("in space, two blocks that collide keep momentum, and a boost changes 
     const Vector<3> boost(-17, 4, 9), place(1, 2, 3);
     const auto moving = collided(boost, place, kind);
     for (const std::int32_t slot : {0, 1}) {
-      const Vector<3> expected = still->position(slot) + place + still->world.time() * boost;
+      const Vector<3> expected = still->position(slot) + place + still->world.state().clock.time() * boost;
       // Both round alike but for the ulp of the places, which the collision makes some times more.
       CHECK((moving->position(slot) - expected).norm() < 1e-10);
       CHECK((moving->velocity(slot) - boost - still->velocity(slot)).norm() < 1e-10);
@@ -190,17 +190,18 @@ TEST_CASE("in space, a tip that strikes a face off its middle keeps all energy: 
                                        {0.2, 0.1, 1.25}, Rotation<3>().turned_by({0.1, 0.05, 0}));
     scene.world.set_velocity(tip, {0, 0, -1}, nothing);
     REQUIRE(scene.world.prepare() == StepResult::ok);
-    const double energy = scene.world.ledger().total();
+    const double energy = scene.world.state().ledger.entries().total();
     double most_strain = 0;
     for (int i = 0; i < 4000; ++i) {
       REQUIRE(scene.world.step() == StepResult::ok);
-      most_strain = std::max(most_strain, scene.world.ledger().strain);
+      most_strain = std::max(most_strain, scene.world.state().ledger.entries().strain);
     }
     CHECK(most_strain > 0.1 * energy);
-    CHECK(scene.world.ledger().strain == 0);
+    CHECK(scene.world.state().ledger.entries().strain == 0);
     // Velocity Verlet keeps an energy that is off by (omega dt)^2 / 4; omega^2 is at most K over the mass of
     // the lighter, 230 kg, times what turning adds, below 5.
-    CHECK(scene.world.ledger().total() == Approx(energy).epsilon(5 * stiffness / 230 * step * step / 4));
+    CHECK(scene.world.state().ledger.entries().total() ==
+          Approx(energy).epsilon(5 * stiffness / 230 * step * step / 4));
     CHECK(scene.velocity(tip).z() > scene.velocity(struck).z());
     CHECK(scene.spin(struck).norm() > 0.1);
   }
@@ -227,8 +228,9 @@ TEST_CASE("in space, fixed blocks stay, prescribed ones go as told, and rigid on
   CHECK(scene.rotation(drum).farthest_from(Rotation<3>().turned_by(spin)) < steps * 1e-15);
   CHECK(scene.spin(drum) == spin);
   // The work of the ram is the block's energy, to the square of omega dt = 0.01.
-  CHECK(scene.world.ledger().kinetic == Approx(0.5 * 1000 * 4).epsilon(1e-3));
-  CHECK(scene.world.ledger().outer_work == Approx(scene.world.ledger().kinetic).epsilon(1e-4));
+  CHECK(scene.world.state().ledger.entries().kinetic == Approx(0.5 * 1000 * 4).epsilon(1e-3));
+  CHECK(scene.world.state().ledger.entries().outer_work ==
+        Approx(scene.world.state().ledger.entries().kinetic).epsilon(1e-4));
   // Off the wall it comes back.
   scene.step(5000);
   CHECK(scene.velocity(pushed).x() == Approx(-2).epsilon(1e-3));
@@ -247,8 +249,8 @@ TEST_CASE("in space, applied force and torque do what Newton and Euler say") {
   CHECK(scene.spin(slot).isApprox(torque / 2500, 1e-12));
   CHECK(scene.rotation(slot).farthest_from(Rotation<3>().turned_by(0.5 * torque / 2500)) < 1e-11);
   const double kinetic = 0.5 * force.squaredNorm() / 6000 + 0.5 * torque.squaredNorm() / 2500;
-  CHECK(scene.world.ledger().kinetic == Approx(kinetic).epsilon(1e-12));
-  CHECK(scene.world.ledger().outer_work == Approx(kinetic).epsilon(1e-12));
+  CHECK(scene.world.state().ledger.entries().kinetic == Approx(kinetic).epsilon(1e-12));
+  CHECK(scene.world.state().ledger.entries().outer_work == Approx(kinetic).epsilon(1e-12));
 }
 
 TEST_CASE("in space, removed blocks leave their slots to others, and the rest goes on") {
@@ -268,10 +270,10 @@ TEST_CASE("in space, removed blocks leave their slots to others, and the rest go
   scene.step(100);
   const std::int32_t again = scene.add(other, BlockKind::rigid, {0, 0, 3});
   CHECK((again == slots[4] || again == slots[7]));
-  CHECK(scene.world.is_consistent());
+  CHECK(scene.world.state().is_consistent());
   scene.step(2000);
   CHECK(scene.world.blocks().count() == 9);
-  CHECK(scene.world.contact_count() >= 8);
+  CHECK(scene.world.state().contacts.count() >= 8);
   for (std::size_t i = 0; i < scene.world.blocks().slot_count(); ++i)
     if (scene.world.blocks().lives(i)) CHECK(scene.position(std::int32_t(i)).z() > -0.6);
 }

@@ -4,56 +4,38 @@
 
 namespace halfspace {
 
-/// Called by every external change. prepare() books its change of energy as external work.
-template <int D>
-void World<D>::edit() {
-  drop_plan();
-  if (!edited_) ledger_.note_edit();
-  edited_ = true;
-  hard_contacts_.forget_rest();
-  sleep_.wake_all(clock_.time());
-}
-
 template <int D>
 std::int32_t World<D>::add_material(double density) {
   const std::int32_t material = model_.materials.add(density);
-  edit();
+  state_.edit();
   return material;
 }
 
 template <int D>
 void World<D>::change_laws() {
-  contacts_.neighbors().invalidate();  // shear springs may be needed now
-  contact_stage_.forget();
-  edit();
+  state_.contacts.neighbors().invalidate();  // shear springs may be needed now
+  state_.forget_contacts();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_default_law(const ContactLaw& law) {
-  model_.materials.laws().set_default(law.weaker_by(strength_factor_));
+  model_.materials.laws().set_default(law.weaker_by(state_.strength_factor));
   change_laws();
 }
 
 template <int D>
 void World<D>::set_law(std::int32_t a, std::int32_t b, const ContactLaw& law) {
-  model_.materials.laws().set(a, b, law.weaker_by(strength_factor_));
+  model_.materials.laws().set(a, b, law.weaker_by(state_.strength_factor));
   change_laws();
-}
-
-/// A block that was added, alone or as a part of a compound or of a surface.
-template <int D>
-void World<D>::note_added(std::int32_t slot) {
-  contacts_.add_fresh(slot, model_.blocks.slot_count());
-  contacts_.neighbors().invalidate();
-  share_.forget_keys();
 }
 
 template <int D>
 std::int32_t World<D>::add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                                  const Vector<D>& position, const Rotation<D>& rotation) {
-  contacts_.make_room_for_block();
-  const std::int32_t slot = model_.blocks.add(shape, kind, material, density(material));
-  note_added(slot);
+  state_.contacts.make_room_for_block();
+  const std::int32_t slot = model_.blocks.add(shape, kind, material, model_.materials.density(material));
+  state_.note_added(slot);
   set_pose(slot, position, rotation);
   return slot;
 }
@@ -63,15 +45,7 @@ void World<D>::remove_block(std::int32_t slot) {
   model_.actions.end_on_block(slot, model_.blocks);
   model_.blocks.is_compound(std::size_t(slot)) ? model_.blocks.remove_compound(slot)
                                                : model_.blocks.remove(slot);
-  share_.forget_keys();
-  model_.bolts.forget(slot);
-  // Another block may reuse the slot, so no pair may refer to it.
-  contacts_.neighbors().forget(slot);
-  hard_contacts_.forget(slot);
-  integrator_.forget_reaction();
-  contact_stage_.forget();
-  edit();
-  sleep_.forget(std::size_t(slot));
+  state_.forget_block(slot);
 }
 
 template <int D>
@@ -80,18 +54,18 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
   model_.blocks.place(slot, position, rotation);
   if (blocks.is_compound(std::size_t(slot))) {
     for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(slot)))
-      contacts_.neighbors().note_placement(blocks, std::size_t(part.block));
+      state_.contacts.neighbors().note_placement(blocks, std::size_t(part.block));
   } else {
-    contacts_.neighbors().note_placement(blocks, std::size_t(slot));
+    state_.contacts.neighbors().note_placement(blocks, std::size_t(slot));
   }
-  contact_stage_.forget();
-  edit();
+  state_.forget_contacts();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_velocity(std::int32_t slot, const Vector<D>& velocity, const Angular<D>& spin) {
   model_.blocks.set_motion(slot, velocity, model_.blocks.freed_turn(std::size_t(slot), spin));
-  edit();
+  state_.edit();
 }
 
 template <int D>
@@ -110,23 +84,23 @@ bool World<D>::set_elasticity(std::int32_t material, const Elasticity& elasticit
     take(before);
     return false;
   }
-  edit();
+  state_.edit();
   return true;
 }
 
 template <int D>
 void World<D>::set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
   model_.blocks.deform(slot, gradient, rate);
-  contacts_.neighbors().note_placement(model_.blocks, std::size_t(slot));
-  contact_stage_.forget();
-  edit();
+  state_.contacts.neighbors().note_placement(model_.blocks, std::size_t(slot));
+  state_.forget_contacts();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_stress(std::int32_t slot, const Tensor<D>& stress) {
   const std::size_t s = std::size_t(slot);
   model_.blocks.deformation(s).set_stress(stress, model_.elasticity_of(s));
-  edit();
+  state_.edit();
 }
 
 template <int D>
@@ -136,7 +110,7 @@ void World<D>::add_surface_load(std::int32_t slot, int face, const Vector<D>& tr
   const Vector<D> force = loaded.area * traction;
   deformation.load_force += force;
   deformation.load += force * loaded.centroid.transpose();
-  edit();
+  state_.edit();
 }
 
 template <int D>
@@ -144,35 +118,33 @@ void World<D>::clear_surface_loads(std::int32_t slot) {
   Deformation<D>& deformation = model_.blocks.deformation(std::size_t(slot));
   deformation.load_force = Vector<D>::Zero();
   deformation.load = Tensor<D>::Zero();
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, const Angular<D>& torque) {
   const std::size_t s = std::size_t(slot);
-  drop_plan();
+  state_.drop_shared_motion();
   if (force != model_.blocks.applied_force[s] || torque != model_.blocks.applied_torque[s])
-    wake(sleep_.wake_island_of(s, clock_.time()));
-  if (model_.blocks.is_affine(s) && share_.is_own(s))
-    ledger_.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
+    state_.sleep.wake_island_of(s, state_.clock.time());
+  if (model_.blocks.is_affine(s) && state_.share.is_own(s))
+    state_.ledger.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
   model_.blocks.applied_force[s] = force;
   model_.blocks.applied_torque[s] = torque;
-  if (!edited_) integrator_.accelerate(s);  // the next step begins under this force
+  if (!state_.edited) state_.integrator.accelerate(s);  // the next step begins under this force
 }
 
 template <int D>
 bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
-  if (!model_.law_of(contacts_.pair_of(which)).resists_shear()) return false;
+  if (!model_.law_of(state_.contacts.pair_of(which)).resists_shear()) return false;
   // The next evaluation computes the energy from the stiffness.
-  const Vector<D> normal = contact(which).normal;
-  remember(contacts_.shear_of(which), shear_of(force, normal), preloaded, normal);
-  edit();
+  const Vector<D> normal = state_.contacts.contact(which).normal;
+  remember(state_.contacts.shear_of(which), shear_of(force, normal), preloaded, normal);
+  state_.edit();
   return true;
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                            \
-  template void World<D>::edit();                                                                       \
-  template void World<D>::note_added(std::int32_t);                                                     \
   template std::int32_t World<D>::add_material(double);                                                 \
   template void World<D>::change_laws();                                                                \
   template void World<D>::set_default_law(const ContactLaw&);                                           \

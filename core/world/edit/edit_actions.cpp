@@ -10,32 +10,32 @@ std::int32_t World<D>::add_table(std::span<const double> times, std::span<const 
 template <int D>
 void World<D>::add_action(const Action<D>& action) {
   model_.actions.add(action);
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::add_node_action(const NodeAction& action, std::span<const std::int32_t> nodes,
                                std::span<const Vector<D>> scales) {
   model_.actions.add(action, nodes, scales);
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::end_actions(std::int32_t slot) {
   model_.actions.end_on_block(slot, model_.blocks);
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::end_node_actions(std::int32_t body) {
   model_.actions.end_on_nodes(body, model_.blocks);
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::hold_block(std::int32_t slot, std::uint8_t components) {
   model_.blocks.hold(std::size_t(slot), components);
-  edit();
+  state_.edit();
 }
 
 /// The work on the contacts of the block continues with the new velocity.
@@ -44,13 +44,13 @@ void World<D>::prescribe_velocity(std::int32_t slot, const Vector<D>& velocity, 
   Blocks<D>& blocks = model_.blocks;
   const std::size_t s = std::size_t(slot);
   if (velocity == blocks.velocity[s] && spin == blocks.spin[s]) return;
-  drop_plan();
-  if (!edited_) {
-    ledger_.add_outer_power(blocks.force[s].dot(blocks.velocity[s] - velocity) +
-                            blocks.torque[s].dot(blocks.spin[s] - spin));
+  state_.drop_shared_motion();
+  if (!state_.edited) {
+    state_.ledger.add_outer_power(blocks.force[s].dot(blocks.velocity[s] - velocity) +
+                                  blocks.torque[s].dot(blocks.spin[s] - spin));
   }
   blocks.set_motion(slot, velocity, spin);
-  sleep_.wake_all(clock_.time());
+  state_.sleep.wake_all(state_.clock.time());
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                      \

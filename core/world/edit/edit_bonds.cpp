@@ -19,13 +19,10 @@ Vector<D> normal_in_frame(const Blocks<D>& blocks, std::int32_t block, const Vec
   return (blocks.gradient(std::size_t(block)).transpose() * normal).normalized();
 }
 
-}  // namespace
-
+/// Bonds two blocks along their current common face. False if there is none, or if they are joined already.
 template <int D>
-bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
+bool bond_pair(Blocks<D>& blocks, std::int32_t a, std::int32_t b, std::int32_t law, Memory* memory) {
   if (a > b) std::swap(a, b);
-  Blocks<D>& blocks = model_.blocks;
-  Memory* memory = own_memory();
   if (blocks.are_joined(std::size_t(a), std::size_t(b))) return false;
   const std::optional<CommonFace<D>> face = common_face(blocks, a, b, memory);
   if (!face) return false;
@@ -54,11 +51,11 @@ bool World<D>::bond_pair(std::int32_t a, std::int32_t b, std::int32_t law) {
 
 /// Adds the law and calls make(number), which makes bonds of this law and returns their number. Removes the
 /// law if there are none, or if memory runs out.
-template <int D>
-template <class Make>
-std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
-  Bonds<D>& bonds = model_.blocks.bonds();
-  const std::int32_t number = bonds.add_law(law.weaker_by(strength_factor_));
+template <int D, class Make>
+std::int64_t make_bonds_of(State<D>& parts, const BondLaw& law, Make make) {
+  Bonds<D>& bonds = parts.model.blocks.bonds();
+  NeighborList<D>& neighbors = parts.contacts.neighbors();
+  const std::int32_t number = bonds.add_law(law.weaker_by(parts.strength_factor));
   std::int64_t count = 0;
   try {
     count = make(number);
@@ -72,40 +69,47 @@ std::int64_t World<D>::make_bonds_of(const BondLaw& law, Make make) {
   }
   bonds.index();
   bonds.rings().invalidate();
-  contacts_.neighbors().invalidate();  // rings of bonds exclude pairs
+  neighbors.invalidate();  // rings of bonds exclude pairs
   // Bonds replace the bonds of contact laws.
-  for (Candidate<D>& pair : contacts_.neighbors().pairs()) {
+  for (Candidate<D>& pair : neighbors.pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
   }
-  change_laws();
+  parts.forget_contacts();
+  parts.edit();
   return count;
 }
 
+}  // namespace
+
 template <int D>
 bool World<D>::bond_pair(std::int32_t a, std::int32_t b, const BondLaw& law) {
-  return make_bonds_of(law, [&](std::int32_t number) { return std::int64_t(bond_pair(a, b, number)); }) > 0;
+  const auto make = [&](std::int32_t number) {
+    return std::int64_t(halfspace::bond_pair(model_.blocks, a, b, number, state_.memory()));
+  };
+  return make_bonds_of(state_, law, make) > 0;
 }
 
 /// A neighbour list contains all pairs that touch: the one in use, or else one for this call alone, so that
 /// nothing has changed when memory runs out.
 template <int D>
 std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t material_b, const BondLaw& law) {
-  NeighborList<D> own(threads_, own_memory());
-  const bool is_list_in_use = !contacts_.neighbors().needs_rebuild();
+  NeighborList<D> own(state_.threads, state_.memory());
+  const bool is_list_in_use = !state_.contacts.neighbors().needs_rebuild();
   if (!is_list_in_use) {
     own.search_again(model_.blocks, {model_.settings.skin}, false);
     own.renew(model_.blocks, false);
   }
-  const Array<Candidate<D>>& pairs = is_list_in_use ? contacts_.neighbors().pairs() : own.pairs();
+  const Array<Candidate<D>>& pairs = is_list_in_use ? state_.contacts.neighbors().pairs() : own.pairs();
   const auto are_wanted = [&](const Candidate<D>& pair) {
     const std::int32_t of_a = model_.blocks.material[std::size_t(pair.a)];
     const std::int32_t of_b = model_.blocks.material[std::size_t(pair.b)];
     return (of_a == material_a && of_b == material_b) || (of_a == material_b && of_b == material_a);
   };
-  return make_bonds_of(law, [&](std::int32_t number) {
+  return make_bonds_of(state_, law, [&](std::int32_t number) {
     std::int64_t count = 0;
     for (const Candidate<D>& pair : pairs) {
-      if (are_wanted(pair) && bond_pair(pair.a, pair.b, number)) ++count;
+      if (!are_wanted(pair)) continue;
+      count += halfspace::bond_pair(model_.blocks, pair.a, pair.b, number, state_.memory());
     }
     return count;
   });
@@ -113,12 +117,11 @@ std::int64_t World<D>::bond_materials(std::int32_t material_a, std::int32_t mate
 
 template <int D>
 void World<D>::hold_bonds(bool are_held) {
-  sleep_.wake_all(clock_.time());
+  state_.sleep.wake_all(state_.clock.time());
   model_.blocks.bonds().hold(are_held);
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                  \
-  template bool World<D>::bond_pair(std::int32_t, std::int32_t, std::int32_t);                \
   template bool World<D>::bond_pair(std::int32_t, std::int32_t, const BondLaw&);              \
   template std::int64_t World<D>::bond_materials(std::int32_t, std::int32_t, const BondLaw&); \
   template void World<D>::hold_bonds(bool);

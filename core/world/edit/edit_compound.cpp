@@ -8,10 +8,11 @@
 
 namespace halfspace {
 
+namespace {
+
 /// The first two parts of a compound that overlap, if any.
 template <int D>
-PartOverlap World<D>::overlap_of_parts(std::int32_t compound) const {
-  const Blocks<D>& blocks = model_.blocks;
+PartOverlap overlap_of_parts(const Blocks<D>& blocks, std::int32_t compound) {
   const std::span<const Part<D>> parts = blocks.compounds().parts_of(std::size_t(compound));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Box<D> box = blocks.box(parts[i].block);
@@ -27,19 +28,22 @@ PartOverlap World<D>::overlap_of_parts(std::int32_t compound) const {
   return {};
 }
 
+}  // namespace
+
 template <int D>
 PlacedCompound World<D>::add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
                                       BlockKind kind, std::int32_t material, const Pose<D>& pose) {
   Blocks<D>& blocks = model_.blocks;
-  contacts_.make_room_for_blocks(blocks.slot_count() + shapes.size() + 1);
+  state_.contacts.make_room_for_blocks(blocks.slot_count() + shapes.size() + 1);
   PlacedCompound placed;
-  placed.block = blocks.add_compound(shapes, poses, kind, material, density(material));
-  placed.overlap = overlap_of_parts(placed.block);
+  placed.block = blocks.add_compound(shapes, poses, kind, material, model_.materials.density(material));
+  placed.overlap = overlap_of_parts(blocks, placed.block);
   if (placed.overlap.depth > 0) {
     blocks.take_back_compound(placed.block);
     return placed;
   }
-  for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(placed.block))) note_added(part.block);
+  for (const Part<D>& part : blocks.compounds().parts_of(std::size_t(placed.block)))
+    state_.note_added(part.block);
   set_pose(placed.block, pose.position, pose.rotation);
   return placed;
 }
@@ -51,7 +55,6 @@ void World<D>::remove_compound(std::int32_t slot) {
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                                 \
-  template PartOverlap World<D>::overlap_of_parts(std::int32_t) const;                                       \
   template PlacedCompound World<D>::add_compound(std::span<const Shape<D>* const>, std::span<const Pose<D>>, \
                                                  BlockKind, std::int32_t, const Pose<D>&);                   \
   template void World<D>::remove_compound(std::int32_t);

@@ -8,9 +8,8 @@ namespace halfspace {
 
 template <int D>
 void World<D>::set_water(WaterTable<D>&& table, double density) {
-  if (!table.empty()) load_stage_.fit_water();
   model_.water.set(std::move(table), density);
-  edit();
+  state_.edit();
 }
 
 template <int D>
@@ -25,14 +24,14 @@ std::int64_t World<D>::add_bolt(Bolt<D> bolt, const Vector<D>& at_a, const Vecto
   bolt.elongation = pretension / bolt.stiffness;
   bolt.tension = pretension;
   const std::int64_t number = model_.bolts.add(bolt);
-  edit();
+  state_.edit();
   return number;
 }
 
 template <int D>
 void World<D>::remove_bolt(std::size_t index) {
   model_.bolts.remove(index);
-  edit();
+  state_.edit();
 }
 
 #define HALFSPACE_MEMBERS(D)                                                                     \

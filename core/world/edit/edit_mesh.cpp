@@ -41,7 +41,7 @@ void World<D>::weigh_surface(std::int32_t body, Array<int>& bearing) {
 template <int D>
 MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                                       std::span<const std::int32_t> cell_materials) {
-  Memory* memory = own_memory();
+  Memory* memory = state_.memory();
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
   const Body<D>& of_body = meshes.body(body);
@@ -68,10 +68,10 @@ MeshFaultReport World<D>::add_surface(std::int32_t body, std::span<const Surface
     const Shape<D> shape = shape_of_simplex(corners, memory);
     const std::int32_t material = cell_materials[std::size_t(simplex.cell)];
     cell.gradients = gradients_of<D>(corners);
-    cell.block = blocks.add(shape, BlockKind::mesh, material, density(material));
+    cell.block = blocks.add(shape, BlockKind::mesh, material, model_.materials.density(material));
     blocks.put_on_surface(cell, meshes.masses_of(cell, bearing));
     const std::size_t slot = std::size_t(cell.block);
-    if (!is_within_bounds(mass_of(shape, density(material)), blocks.inertia[slot]))
+    if (!is_within_bounds(mass_of(shape, model_.materials.density(material)), blocks.inertia[slot]))
       return {MeshFault::beyond_bounds, simplex.cell};
     if (!cell.gradients.allFinite() || !blocks.deformation(slot).is_consistent())
       return {MeshFault::inside_out, simplex.cell};
@@ -84,8 +84,8 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
                               std::span<const std::int32_t> cell_materials) {
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
-  const Array<SurfaceSimplex<D>> simplices = surface_simplices(mesh, own_memory());
-  contacts_.make_room_for_blocks(blocks.slot_count() + simplices.size());
+  const Array<SurfaceSimplex<D>> simplices = surface_simplices(mesh, state_.memory());
+  state_.contacts.make_room_for_blocks(blocks.slot_count() + simplices.size());
   PlacedMesh placed;
   placed.body = meshes.add(mesh, pose, cell_materials, model_.materials.bulk());
   const auto take_back = [&] {
@@ -106,9 +106,9 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
     take_back();
     return placed;
   }
-  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body)) note_added(cell.block);
-  contact_stage_.forget();
-  edit();
+  for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body)) state_.note_added(cell.block);
+  state_.forget_contacts();
+  state_.edit();
   return placed;
 }
 
@@ -121,9 +121,9 @@ void World<D>::remove_mesh(std::int32_t body) {
   model_.actions.end_on_nodes(body, model_.blocks);
   model_.viscous_nodes.remove_body(body);
   model_.viscous_nodes.renew(meshes);
-  integrator_.forget_reaction();
-  if (hard_contacts_.is_used()) contacts_.neighbors().invalidate();  // nodes are renumbered
-  edit();
+  state_.integrator.forget_reaction();
+  if (state_.hard_contacts.is_used()) state_.contacts.neighbors().invalidate();  // nodes are renumbered
+  state_.edit();
 }
 
 /// Changes nothing if the prestrain of any cell would exceed largest_prestrain.
@@ -144,7 +144,7 @@ bool World<D>::set_body_stress(std::int32_t body, const StressField<D>& field) {
   });
   if (!is_bounded) return false;
   meshes.for_each_element_of(body, [&](auto& element) { element.prestrain = stressed(element); });
-  edit();
+  state_.edit();
   return true;
 }
 
@@ -154,28 +154,28 @@ template <int D>
 void World<D>::hold_node(std::size_t node, std::uint8_t held) {
   Meshes<D>& meshes = model_.blocks.meshes();
   if (meshes.mass[node] > 0) meshes.held[node] = held;
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_node_velocity(std::size_t node, const Vector<D>& velocity) {
   Meshes<D>& meshes = model_.blocks.meshes();
   if (meshes.mass[node] > 0) meshes.velocity[node] = velocity;
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_node_force(std::size_t node, const Vector<D>& force) {
   Meshes<D>& meshes = model_.blocks.meshes();
   if (meshes.mass[node] > 0) meshes.applied_force[node] = force;
-  edit();
+  state_.edit();
 }
 
 template <int D>
 void World<D>::set_node_viscosity(std::int32_t body, std::span<const std::int32_t> nodes,
                                   const Tensor<D>& viscosity) {
   model_.viscous_nodes.set(body, nodes, viscosity, model_.blocks.meshes());
-  edit();
+  state_.edit();
 }
 
 template <int D>

@@ -65,34 +65,34 @@ Array<SurfaceSimplex<D>> new_simplices(const Meshes<D>& meshes, std::int32_t whi
   return new_blocks;
 }
 
-}  // namespace
-
 /// Adds the nodal forces of the removed cells to `released`. The caller can fade them out, because a sudden
 /// release shakes the body.
 template <int D>
-void World<D>::release(std::int32_t which, const Array<std::uint8_t>& is_gone,
-                       std::span<Vector<D>> released) const {
-  const Meshes<D>& meshes = model_.blocks.meshes();
+void release(const Model<D>& model, std::int32_t which, const Array<std::uint8_t>& is_gone,
+             std::span<Vector<D>> released) {
+  const Meshes<D>& meshes = model.blocks.meshes();
   const std::size_t first = std::size_t(meshes.body(which).first_node);
   meshes.for_each_element_of(which, [&]<int N>(const Element<D, N>& element) {
     if (!is_gone[std::size_t(element.cell)]) return;
     const auto forces = element.elastic_forces(element.field_of(gathered<D, N>(meshes.place, element.node)),
-                                               model_.materials.elasticity(element.material));
+                                               model.materials.elasticity(element.material));
     for (int i = 0; i < N; ++i) released[std::size_t(element.node[std::size_t(i)]) - first] += forces.col(i);
   });
 }
 
+}  // namespace
+
 template <int D>
 MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::int32_t> cells,
                                        std::span<Vector<D>> released) {
-  Memory* memory = own_memory();
+  Memory* memory = state_.memory();
   Blocks<D>& blocks = model_.blocks;
   Meshes<D>& meshes = blocks.meshes();
   Array<std::uint8_t> is_gone(std::size_t(meshes.body(which).cell_count), 0, memory);
   for (const std::int32_t cell : cells) is_gone[std::size_t(cell)] = 1;
   const LeftCells<D> left = cells_left(meshes, which, is_gone, memory);
   const Array<SurfaceSimplex<D>> new_blocks = new_simplices(meshes, which, left, memory);
-  contacts_.make_room_for_blocks(blocks.slot_count() + new_blocks.size());
+  state_.contacts.make_room_for_blocks(blocks.slot_count() + new_blocks.size());
   Array<int> bearing(std::size_t(meshes.body(which).node_count), 0, memory);
   const std::size_t before = meshes.surface().size();
   const std::size_t first_node = std::size_t(meshes.body(which).first_node);
@@ -112,8 +112,8 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
     take_back();
     return report;
   }
-  release(which, is_gone, released);
-  for (std::size_t i = before; i < meshes.surface().size(); ++i) note_added(meshes.surface()[i].block);
+  release(model_, which, is_gone, released);
+  for (std::size_t i = before; i < meshes.surface().size(); ++i) state_.note_added(meshes.surface()[i].block);
   for (const SurfaceCell<D>& cell : meshes.surface()) {
     if (cell.body == which && is_gone[std::size_t(cell.cell)]) remove_block(cell.block);
   }
@@ -127,15 +127,14 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   }
   weigh_surface(which, bearing);
   blocks.bonds().rings().invalidate();
-  contacts_.neighbors().invalidate();
-  contact_stage_.forget();
-  edit();
+  state_.contacts.neighbors().invalidate();
+  state_.forget_contacts();
+  state_.edit();
   return report;
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                             \
-  template void World<D>::release(std::int32_t, const Array<std::uint8_t>&, std::span<Vector<D>>) const; \
-  template MeshFaultReport World<D>::remove_cells(std::int32_t, std::span<const std::int32_t>,           \
+#define HALFSPACE_MEMBERS(D)                                                                   \
+  template MeshFaultReport World<D>::remove_cells(std::int32_t, std::span<const std::int32_t>, \
                                                   std::span<Vector<D>>);
 
 HALFSPACE_MEMBERS(2)

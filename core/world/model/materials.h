@@ -11,6 +11,9 @@
 
 namespace halfspace {
 
+/// In this range, division by the factor and multiplication keep strengths finite.
+inline bool is_strength_factor(double factor) { return factor >= 1e-75 && factor <= 1e75; }
+
 /// The materials of a world: density, elasticity, and the contact law of each pair.
 class Materials {
  public:

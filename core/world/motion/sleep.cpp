@@ -91,7 +91,9 @@ bool Sleep<D>::put_to_sleep(double time, double least_sleep) {
     next_wake_ = any() ? std::min(next_wake_, until_[i]) : until_[i];
     ++sleeping_;
   }
-  return sleeping_ > before;
+  if (sleeping_ == before) return false;
+  ++changes_;
+  return true;
 }
 
 /// Wakes the islands for whose head `wakes(head)` is true.
@@ -110,7 +112,9 @@ bool Sleep<D>::wake_islands(Wakes wakes, double time) {
     error_used_[i] += speed_bound_[i].way(time - since_[i]);
     --sleeping_;
   }
-  return sleeping_ < before;
+  if (sleeping_ == before) return false;
+  ++changes_;
+  return true;
 }
 
 template <int D>

@@ -47,6 +47,8 @@ class Sleep {
   void resize(std::size_t slots);
 
   bool any() const { return sleeping_ > 0; }
+  /// Grows whenever blocks fall asleep or wake.
+  std::uint32_t changes() const { return changes_; }
   std::int64_t count() const { return sleeping_; }
   bool is_asleep(std::size_t slot) const { return any() && rest_[slot] == Rest::asleep; }
   /// True when steps skip a pair, because each of its blocks sleeps or does not move.
@@ -132,6 +134,7 @@ class Sleep {
   Array<double> longest_;          // maximum sleep of a block, or of the island that it represents, s
   double next_wake_ = 0;           // the earliest of all
   std::int64_t sleeping_ = 0;      // number of blocks
+  std::uint32_t changes_ = 0;
 };
 
 extern template class Sleep<2>;

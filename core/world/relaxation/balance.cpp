@@ -105,16 +105,18 @@ std::int32_t block_at(const Blocks<D>& blocks, std::size_t i) {
 }  // namespace
 
 template <int D>
-Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room) {
+Balance balance_of(const State<D>& state, BalanceRoom& room) {
+  const Model<D>& model = state.model;
   const Blocks<D>& blocks = model.blocks;
-  Acts<D> acts(model, integrator, room);
+  const ContactList<D>& contacts = state.contacts;
+  const HardContacts<D>& hard_contacts = state.hard_contacts;
+  Acts<D> acts(model, state.integrator, room);
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, double size) {
     acts.add(a, size);
     acts.add(b, size);
   };
   for (std::size_t c = 0; c < contacts.count(); ++c)
-    add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, forces.of_contact(c).force.norm());
+    add_to_both(contacts.pair_of(c).a, contacts.pair_of(c).b, state.forces.of_contact(c).force.norm());
   for (const PointContact<D>& contact : hard_contacts.points())
     add_to_both(contact.a, contact.b, contact.force.norm());
   for (const RigidContact<D>& contact : hard_contacts.rigid().all())
@@ -197,9 +199,7 @@ double SlowestMotion<D>::look() {
 
 template class SlowestMotion<2>;
 template class SlowestMotion<3>;
-template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
-                            const HardContacts<2>&, const Integrator<2>&, BalanceRoom&);
-template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
-                            const HardContacts<3>&, const Integrator<3>&, BalanceRoom&);
+template Balance balance_of(const State<2>&, BalanceRoom&);
+template Balance balance_of(const State<3>&, BalanceRoom&);
 
 }  // namespace halfspace

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "world/contacts/contact_list.h"
-#include "world/contacts/force_pass.h"
-#include "world/hard_contact/hard_contacts.h"
-#include "world/model/model.h"
-#include "world/motion/integrator.h"
+#include "world/state.h"
 
 namespace halfspace {
 
@@ -29,13 +25,10 @@ struct BalanceRoom {
 /// Computes the balance of the last forces. Torques, and generalized forces of strain, count as forces at the
 /// block's radius. Prescribed motion has no unbalanced force. `room`: for all blocks and nodes.
 template <int D>
-Balance balance_of(const Model<D>& model, const ContactList<D>& contacts, const ForcePass<D>& forces,
-                   const HardContacts<D>& hard_contacts, const Integrator<D>& integrator, BalanceRoom& room);
+Balance balance_of(const State<D>& state, BalanceRoom& room);
 
-extern template Balance balance_of(const Model<2>&, const ContactList<2>&, const ForcePass<2>&,
-                                   const HardContacts<2>&, const Integrator<2>&, BalanceRoom&);
-extern template Balance balance_of(const Model<3>&, const ContactList<3>&, const ForcePass<3>&,
-                                   const HardContacts<3>&, const Integrator<3>&, BalanceRoom&);
+extern template Balance balance_of(const State<2>&, BalanceRoom&);
+extern template Balance balance_of(const State<3>&, BalanceRoom&);
 
 /// Parameters of a dynamic relaxation.
 struct Relaxation {

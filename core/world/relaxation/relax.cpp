@@ -1,7 +1,8 @@
+#include "world/relaxation/relax.h"
+
 #include <algorithm>
 
 #include "world/copies.h"
-#include "world/world.h"
 
 // Dynamic relaxation: steps under damping until forces balance (Cundall 1987).
 
@@ -53,19 +54,9 @@ struct RestMonitor {
   BalanceRoom room;
 };
 
-}  // namespace
-
-/// If there is no stable time step, no block moves freely, and nothing is unbalanced.
 template <int D>
-Balance World<D>::balance() {
-  BalanceRoom room(model_.blocks, own_memory());
-  if (prepare() != StepResult::ok) return {};
-  return balance_of(model_, contacts_, forces_, hard_contacts_, integrator_, room);
-}
-
-template <int D>
-void World<D>::stop_all() {
-  Blocks<D>& blocks = model_.blocks;
+void stop_all(World<D>& world) {
+  Blocks<D>& blocks = world.state().model.blocks;
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (!blocks.moves_by_itself(i)) continue;
     if (blocks.is_affine(i)) {
@@ -83,117 +74,92 @@ void World<D>::stop_all() {
       if (!(meshes.held[i] >> k & 1)) meshes.velocity[i][k] = 0;
     }
   }
-  for (std::size_t body = 0; body < meshes.bodies().size(); ++body) end_node_edits(std::int32_t(body));
-  edit();
+  for (std::size_t body = 0; body < meshes.bodies().size(); ++body) world.end_node_edits(std::int32_t(body));
+  world.state().edit();
 }
 
 /// Damping may make a given time step unstable.
 template <int D>
-bool World<D>::leaves_room_for_damping(double time_step) {
+bool leaves_room_for_damping(World<D>& world) {
+  const double time_step = world.model().settings.time_step;
   if (time_step == 0) return true;
-  detect();
-  return time_step <= safety_in_relaxation * stable_step_.bound();
-}
-
-/// If memory runs out before anything has moved, a world that was ready for its next step still is, with its
-/// former damping.
-template <int D>
-Relaxed World<D>::relax(const Relaxation& relaxation) {
-  const bool leaves_room = leaves_room_for_damping(model_.settings.time_step);
-  Memory* memory = own_memory();
-  RestMonitor<D> monitor(model_, memory);
-  const auto known = [&] { return std::tuple_cat(state(), integrator_.state()); };
-  const auto before = copies_of(known(), memory);
-  const auto epoch = copies_of(clock_.epoch(), memory);
-  const bool was_edited = edited_;
-  const std::int64_t steps = clock_.steps();
-  const WorldSettings<D> settings = model_.settings;
-  const bool held_bonds = bonds().are_held();
-  const auto restore = [&] {
-    model_.settings = settings;
-    hold_bonds(held_bonds);
-    edit();
-  };
-  model_.settings.sleep_tolerance = 0;
-  const bool has_jumps = model_.materials.laws().any(
-      [](const ContactLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
-  model_.settings.safety = has_jumps ? std::min(settings.safety, safety_in_relaxation) : safety_in_relaxation;
-  if (!leaves_room) model_.settings.time_step = 0;
-  set_damping(relaxation.local_damping, relaxation.is_adaptive ? 0 : settings.mass_damping);
-  if (relaxation.holds_bonds) hold_bonds(true);
-  Relaxed relaxed;
-  try {
-    relax_under_damping(relaxation, monitor, relaxed);
-  } catch (...) {
-    restore();
-    if (!was_edited && clock_.steps() == steps && clock_.epoch() == epoch) known() = before;
-    throw;
-  }
-  restore();
-  if (relaxed.is_at_rest) stop_all();
-  return relaxed;
+  world.detect();
+  return time_step <= safety_in_relaxation * world.state().stable_step.bound();
 }
 
 template <int D>
-template <class RestMonitor>
-void World<D>::relax_under_damping(const Relaxation& relaxation, RestMonitor& monitor, Relaxed& relaxed) {
+void relax_under_damping(World<D>& world, const Relaxation& relaxation, RestMonitor<D>& monitor,
+                         Relaxed& relaxed) {
+  State<D>& state = world.state();
   while (!relaxed.is_at_rest && !relaxed.has_failed && relaxed.steps < relaxation.max_steps) {
     for (std::int64_t i = 0; i < steps_per_look && relaxed.steps < relaxation.max_steps; ++i) {
-      relaxed.result = step();
+      relaxed.result = world.step();
       if (relaxed.result != StepResult::ok) return;
       ++relaxed.steps;
     }
-    relaxed.balance = balance_of(model_, contacts_, forces_, hard_contacts_, integrator_, monitor.room);
+    relaxed.balance = balance_of(state, monitor.room);
     const double ratio = relaxation.by_largest ? relaxed.balance.largest : relaxed.balance.mean;
     relaxed.is_at_rest = ratio <= relaxation.ratio;
-    relaxed.has_failed =
-        relaxation.max_displacement > 0 && monitor.way.longest(model_.blocks) > relaxation.max_displacement;
+    relaxed.has_failed = relaxation.max_displacement > 0 &&
+                         monitor.way.longest(state.model.blocks) > relaxation.max_displacement;
     if (!relaxation.is_adaptive || relaxed.steps % steps_per_damping(relaxed.steps) != 0) continue;
     const double wanted = monitor.slowest.look();
     // The damping per step is limited, so that steps remain stable.
-    if (wanted >= 0) model_.settings.mass_damping = std::min(wanted, 0.2 / clock_.time_step());
+    if (wanted >= 0) state.model.settings.mass_damping = std::min(wanted, 0.2 / state.clock.time_step());
   }
 }
 
+}  // namespace
+
 template <int D>
-void World<D>::set_gravity(const Vector<D>& gravity) {
-  model_.settings.gravity = gravity;
-  edit();
+Balance balance_of(World<D>& world) {
+  BalanceRoom room(world.blocks(), world.state().memory());
+  if (world.prepare() != StepResult::ok) return {};
+  return balance_of(world.state(), room);
 }
 
 template <int D>
-void World<D>::set_damping(double local_damping, double mass_damping) {
-  model_.settings.local_damping = local_damping;
-  model_.settings.mass_damping = mass_damping;
-  edit();
+Relaxed relax(World<D>& world, const Relaxation& relaxation) {
+  State<D>& state = world.state();
+  const bool leaves_room = leaves_room_for_damping(world);
+  Memory* memory = state.memory();
+  RestMonitor<D> monitor(state.model, memory);
+  const auto known = [&] { return std::tuple_cat(state.written_before_motion(), state.integrator.state()); };
+  const auto before = copies_of(known(), memory);
+  const auto epoch = copies_of(state.clock.epoch(), memory);
+  const bool was_edited = state.edited;
+  const std::int64_t steps = state.clock.steps();
+  const WorldSettings<D> settings = state.model.settings;
+  const bool held_bonds = state.model.blocks.bonds().are_held();
+  const auto restore = [&] {
+    state.model.settings = settings;
+    world.hold_bonds(held_bonds);
+    state.edit();
+  };
+  state.model.settings.sleep_tolerance = 0;
+  const bool has_jumps = state.model.materials.laws().any(
+      [](const ContactLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
+  state.model.settings.safety =
+      has_jumps ? std::min(settings.safety, safety_in_relaxation) : safety_in_relaxation;
+  if (!leaves_room) state.model.settings.time_step = 0;
+  world.set_damping(relaxation.local_damping, relaxation.is_adaptive ? 0 : settings.mass_damping);
+  if (relaxation.holds_bonds) world.hold_bonds(true);
+  Relaxed relaxed;
+  try {
+    relax_under_damping(world, relaxation, monitor, relaxed);
+  } catch (...) {
+    restore();
+    if (!was_edited && state.clock.steps() == steps && state.clock.epoch() == epoch) known() = before;
+    throw;
+  }
+  restore();
+  if (relaxed.is_at_rest) stop_all(world);
+  return relaxed;
 }
 
-template <int D>
-void World<D>::set_strength_factor(double factor) {
-  model_.materials.laws().weaken(factor / strength_factor_);
-  model_.blocks.bonds().weaken(factor / strength_factor_);
-  strength_factor_ = factor;
-  edit();
-}
-
-template <int D>
-void World<D>::set_time_step(double time_step) {
-  model_.settings.time_step = time_step;
-  edit();
-}
-
-#define HALFSPACE_MEMBERS(D)                               \
-  template Balance World<D>::balance();                    \
-  template void World<D>::stop_all();                      \
-  template bool World<D>::leaves_room_for_damping(double); \
-  template Relaxed World<D>::relax(const Relaxation&);     \
-  template void World<D>::set_gravity(const Vector<D>&);   \
-  template void World<D>::set_damping(double, double);     \
-  template void World<D>::set_strength_factor(double);     \
-  template void World<D>::set_time_step(double);
-
-HALFSPACE_MEMBERS(2)
-HALFSPACE_MEMBERS(3)
-#undef HALFSPACE_MEMBERS
+template Balance balance_of(World<2>&);
+template Balance balance_of(World<3>&);
+template Relaxed relax(World<2>&, const Relaxation&);
+template Relaxed relax(World<3>&, const Relaxation&);
 
 }  // namespace halfspace

@@ -2,12 +2,7 @@
 
 #include <cstdint>
 
-#include "world/relaxation/balance.h"
-
 namespace halfspace {
-
-/// In this range, division by the factor and multiplication keep strengths finite.
-inline bool is_strength_factor(double factor) { return factor >= 1e-75 && factor <= 1e75; }
 
 /// Strength reduction: the factor of safety is the number by which all strengths can be divided before blocks
 /// move (Zienkiewicz, Humpheson and Lewis 1975).

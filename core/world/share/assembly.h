@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "world/share/share.h"
+#include "world/share/block_record.h"
+#include "world/world.h"
 
 namespace halfspace {
 
@@ -30,5 +31,13 @@ struct AssemblyFault {
   Kind kind = none;
   std::size_t block = 0;
 };
+
+/// The record of a block, from which assemble() makes it in another world.
+template <int D>
+void write_record(State<D>& from, std::size_t slot, bool with_outline, BlockRecord<D>& out);
+
+/// Makes the new and empty world `to` one of the given blocks, in ascending order of keys.
+template <int D>
+AssemblyFault assemble(World<D>& to, World<D>& from, std::span<const PackedBlock> blocks);
 
 }  // namespace halfspace

@@ -5,42 +5,17 @@
 namespace halfspace {
 
 template <int D>
-ContactStage<D>::ContactStage(const Model<D>& model, ContactList<D>& contacts, ForcePass<D>& forces,
-                              HardContacts<D>& hard_contacts, PenetrationBound<D>& penetration_bound,
-                              ContinuousCollision<D>& continuous_collision, const Sleep<D>& sleep,
-                              Share& share, EnergyLedger& ledger, Threads* threads, Memory* memory)
-    : model_(model),
-      contacts_(contacts),
-      forces_(forces),
-      hard_contacts_(hard_contacts),
-      penetration_bound_(penetration_bound),
-      continuous_collision_(continuous_collision),
-      sleep_(sleep),
-      share_(share),
-      ledger_(ledger),
-      threads_(threads),
-      entrances_(model, contacts, memory),
-      sums_(memory) {}
-
-template <int D>
 void ContactStage<D>::fit_room() {
   entrances_.fit_room();
-  sums_.reserve(chunk_count(contacts_.neighbors().room(), pairs_per_chunk));
-}
-
-template <int D>
-void ContactStage<D>::forget() {
-  contacts_.forget();
-  forces_.forget();
-  hard_contacts_.forget_loads();
+  sums_.reserve(chunk_count(state_.contacts.neighbors().room(), pairs_per_chunk));
 }
 
 /// Calls `visit(chunk, sums)` for all pairs in the neighbour list.
 template <int D>
 template <class Visit>
 void ContactStage<D>::pass_over_pairs(Visit visit) {
-  const std::size_t pairs = contacts_.neighbors().pairs().size();
-  sum_each_chunk(threads_, pairs, pairs_per_chunk, sums_, visit);
+  const std::size_t pairs = state_.contacts.neighbors().pairs().size();
+  sum_each_chunk(state_.threads, pairs, pairs_per_chunk, sums_, visit);
 }
 
 /// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
@@ -48,33 +23,33 @@ void ContactStage<D>::pass_over_pairs(Visit visit) {
 template <int D>
 template <class OnContact>
 void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
-  Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
+  Array<Candidate<D>>& pairs = state_.contacts.neighbors().pairs();
   Contact<D> contact;
-  const bool some_have_no_spring = hard_contacts_.is_used();
+  const bool some_have_no_spring = state_.hard_contacts.is_used();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-    if (some_have_no_spring && model_.law_of(pairs[k]).has_no_spring()) continue;
-    if (sleep_.leaves_out(pairs[k])) {
-      contacts_.keep_as_it_was(k, chunk.begin, sums);
+    if (some_have_no_spring && state_.model.law_of(pairs[k]).has_no_spring()) continue;
+    if (state_.sleep.leaves_out(pairs[k])) {
+      state_.contacts.keep_as_it_was(k, chunk.begin, sums);
       continue;
     }
-    if (!share_.follows(pairs[k])) continue;
+    if (!state_.share.follows(pairs[k])) continue;
     const double released = sums.released;
-    const Found found = contacts_.find(k, contact, sums);
-    if (!share_.counts(pairs[k])) sums.released = released;
+    const Found found = state_.contacts.find(k, contact, sums);
+    if (!state_.share.counts(pairs[k])) sums.released = released;
     if (found == Found::apart) continue;
-    const bool loads_own = share_.loads(pairs[k]);
-    const bool is_pressed = model_.law_of(pairs[k]).is_per_area();  // finds its face by its energy
+    const bool loads_own = state_.share.loads(pairs[k]);
+    const bool is_pressed = state_.model.law_of(pairs[k]).is_per_area();  // finds its face by its energy
     if (found == Found::met && is_pressed && loads_own)
       sums.max_penetration_ratio =
-          std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pairs[k]));
+          std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pairs[k]));
     if (found == Found::met && !is_pressed) {
-      if (made > 0 && contacts_.is_described(pairs[k]))
-        continuous_collision_.find_entrance(pairs[k], made, chunk.worker);
-      contacts_.note_met(k, chunk.begin, sums);
-      if (loads_own) contacts_.keep(k, chunk.begin, sums);
+      if (made > 0 && state_.contacts.is_described(pairs[k]))
+        state_.continuous_collision.find_entrance(pairs[k], made, chunk.worker);
+      state_.contacts.note_met(k, chunk.begin, sums);
+      if (loads_own) state_.contacts.keep(k, chunk.begin, sums);
       continue;
     }
-    if (loads_own) contacts_.keep(k, chunk.begin, contact, sums);
+    if (loads_own) state_.contacts.keep(k, chunk.begin, contact, sums);
     if (loads_own || pairs[k].bonded) on_contact(k, contact);
   }
 }
@@ -84,15 +59,15 @@ template <int D>
 void ContactStage<D>::find_entrances(double made) {
   entrances_.begin(made);
   for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
-    for (const std::uint32_t k : contacts_.met_in(chunk, sums_[chunk])) {
-      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-      if (contacts_.is_described(pair) && share_.loads(pair)) entrances_.ask(k);
+    for (const std::uint32_t k : state_.contacts.met_in(chunk, sums_[chunk])) {
+      const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
+      if (state_.contacts.is_described(pair) && state_.share.loads(pair)) entrances_.ask(k);
     }
   }
   for (const auto& [k, face] : entrances_.answers()) {
-    Candidate<D>& pair = contacts_.neighbors().pairs()[k];
+    Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
     pair.witness.pair = face;
-    share_.note_entrance(pair);
+    state_.share.note_entrance(pair);
   }
 }
 
@@ -103,17 +78,17 @@ void ContactStage<D>::take_in_met(double made, OnContact on_contact) {
   find_entrances(made);
   for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
     PairSums& sums = sums_[chunk];
-    for (const std::uint32_t k : contacts_.met_in(chunk, sums)) {
-      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-      const bool loads_own = share_.loads(pair);
+    for (const std::uint32_t k : state_.contacts.met_in(chunk, sums)) {
+      const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
+      const bool loads_own = state_.share.loads(pair);
       Contact<D> contact;
-      if (contacts_.is_described(pair)) {
+      if (state_.contacts.is_described(pair)) {
         entrances_.describe(k, contact);
-        if (loads_own) contacts_.note_overlap(k, contact, sums);
+        if (loads_own) state_.contacts.note_overlap(k, contact, sums);
       }
       if (loads_own)
         sums.max_penetration_ratio =
-            std::max(sums.max_penetration_ratio, penetration_bound_.of_meeting(pair));
+            std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pair));
       if (loads_own || pair.bonded) on_contact(k, contact, sums);
     }
   }
@@ -121,17 +96,17 @@ void ContactStage<D>::take_in_met(double made, OnContact on_contact) {
 
 template <int D>
 void ContactStage<D>::end_finding() {
-  contacts_.end(sums_);
+  state_.contacts.end(sums_);
   for (const PairSums& sums : sums_) {
-    penetration_bound_.note(sums.max_penetration_ratio);
-    ledger_.add_friction_loss(sums.released);
+    state_.penetration_bound.note(sums.max_penetration_ratio);
+    state_.ledger.add_friction_loss(sums.released);
   }
 }
 
 template <int D>
 void ContactStage<D>::find() {
-  if (contacts_.are_found()) return;
-  forget();
+  if (state_.contacts.are_found()) return;
+  state_.forget_contacts();
   pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
     find_in(chunk, 0, sums, [](std::size_t, const Contact<D>&) {});
   });
@@ -146,11 +121,11 @@ template <int D>
   const ContactEnergy energy = evaluation.energy;
   const std::int32_t last_block = evaluation.last_block;
   const double peak_overlap = evaluation.peak_overlap;
-  const bool is_loaded = forces_.load(k, contact, evaluation);
-  if (share_.is_whole()) return is_loaded;
-  const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-  if (!share_.counts(pair)) evaluation.energy = energy;
-  if (!share_.loads(pair)) {
+  const bool is_loaded = state_.forces.load(k, contact, evaluation);
+  if (state_.share.is_whole()) return is_loaded;
+  const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
+  if (!state_.share.counts(pair)) evaluation.energy = energy;
+  if (!state_.share.loads(pair)) {
     evaluation.last_block = last_block;
     evaluation.peak_overlap = peak_overlap;
   }
@@ -163,13 +138,13 @@ void ContactStage<D>::load_found(const Chunk& chunk, double made, bool are_found
                                  Evaluation evaluation) {
   evaluation.worker = chunk.worker;
   const auto load = [&](std::size_t k, const Contact<D>& contact) {
-    if (!load_pair(k, contact, evaluation)) contacts_.note_without_plan(k, chunk.begin, sums);
+    if (!load_pair(k, contact, evaluation)) state_.contacts.note_without_plan(k, chunk.begin, sums);
   };
   if (are_found) {
     Contact<D> contact;
-    for (const std::uint32_t k : contacts_.touching_in(chunk.index)) {
-      const Candidate<D>& pair = contacts_.neighbors().pairs()[k];
-      if (contacts_.is_described(pair)) contacts_.describe(pair, contact);
+    for (const std::uint32_t k : state_.contacts.touching_in(chunk.index)) {
+      const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
+      if (state_.contacts.is_described(pair)) state_.contacts.describe(pair, contact);
       load(k, contact);
     }
   } else {
@@ -182,10 +157,10 @@ void ContactStage<D>::load_found(const Chunk& chunk, double made, bool are_found
 
 template <int D>
 void ContactStage<D>::load(double elapsed, double made) {
-  if (sleep_.any() && !are_sleeping_loaded_) load_sleeping();
-  const bool are_found = contacts_.are_found();
-  if (!are_found) forget();
-  const Evaluation common = forces_.begin(elapsed);
+  if (state_.sleep.any() && loaded_sleep_ != state_.sleep.changes()) load_sleeping();
+  const bool are_found = state_.contacts.are_found();
+  if (!are_found) state_.forget_contacts();
+  const Evaluation common = state_.forces.begin(elapsed);
   pass_over_pairs(
       [&](const Chunk& chunk, PairSums& sums) { load_found(chunk, made, are_found, sums, common); });
   // In order, as new division plans share their memory.
@@ -197,7 +172,7 @@ void ContactStage<D>::load(double elapsed, double made) {
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
   };
   for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
-    for (const std::uint32_t k : contacts_.without_plan_in(chunk, sums_[chunk]))
+    for (const std::uint32_t k : state_.contacts.without_plan_in(chunk, sums_[chunk]))
       load_in_order(k, {}, sums_[chunk]);
   }
   if (are_found) return;
@@ -208,27 +183,27 @@ void ContactStage<D>::load(double elapsed, double made) {
 /// The forces of all contacts on each block, and their energies.
 template <int D>
 void ContactStage<D>::gather() {
-  forces_.gather(sums_);
+  state_.forces.gather(sums_);
   ContactEnergy energy;
-  if (sleep_.any()) energy.strain = strain_of_sleeping_;
+  if (state_.sleep.any()) energy.strain = strain_of_sleeping_;
   for (const PairSums& sums : sums_) energy.add(sums.energy);
-  ledger_.set_contact_strain(energy.strain);
-  ledger_.add_friction_loss(energy.friction_loss);
+  state_.ledger.set_contact_strain(energy.strain);
+  state_.ledger.add_friction_loss(energy.friction_loss);
 }
 
 /// Computes the forces of the contacts that sleep leaves out, once for all steps that skip them.
 template <int D>
 void ContactStage<D>::load_sleeping() {
-  Evaluation evaluation = forces_.begin(0);
-  const Array<Candidate<D>>& pairs = contacts_.neighbors().pairs();
+  Evaluation evaluation = state_.forces.begin(0);
+  const Array<Candidate<D>>& pairs = state_.contacts.neighbors().pairs();
   Contact<D> contact;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!sleep_.leaves_out(pairs[k]) || !contacts_.was_in_contact(pairs[k])) continue;
-    if (contacts_.is_described(pairs[k])) contacts_.describe(pairs[k], contact);
-    forces_.load(k, contact, evaluation);
+    if (!state_.sleep.leaves_out(pairs[k]) || !state_.contacts.was_in_contact(pairs[k])) continue;
+    if (state_.contacts.is_described(pairs[k])) state_.contacts.describe(pairs[k], contact);
+    state_.forces.load(k, contact, evaluation);
   }
   strain_of_sleeping_ = evaluation.energy.strain;
-  are_sleeping_loaded_ = true;
+  loaded_sleep_ = state_.sleep.changes();
 }
 
 template class ContactStage<2>;

@@ -1,16 +1,7 @@
 #pragma once
 
-#include "threads/threads.h"
-#include "world/contacts/contact_list.h"
 #include "world/contacts/entrance.h"
-#include "world/contacts/force_pass.h"
-#include "world/hard_contact/hard_contacts.h"
-#include "world/ledger.h"
-#include "world/model/model.h"
-#include "world/motion/continuous_collision.h"
-#include "world/motion/penetration_bound.h"
-#include "world/motion/sleep.h"
-#include "world/share/share.h"
+#include "world/state.h"
 
 namespace halfspace {
 
@@ -19,10 +10,8 @@ namespace halfspace {
 template <int D>
 class ContactStage {
  public:
-  ContactStage(const Model<D>& model, ContactList<D>& contacts, ForcePass<D>& forces,
-               HardContacts<D>& hard_contacts, PenetrationBound<D>& penetration_bound,
-               ContinuousCollision<D>& continuous_collision, const Sleep<D>& sleep, Share& share,
-               EnergyLedger& ledger, Threads* threads, Memory* memory);
+  explicit ContactStage(State<D>& state)
+      : state_(state), entrances_(state.model, state.contacts, state.memory()), sums_(state.memory()) {}
 
   /// Reserves memory for the neighbour list in use.
   void fit_room();
@@ -33,13 +22,12 @@ class ContactStage {
   void load(double elapsed, double made);
   /// Adds their forces to the blocks and their energies to the ledger.
   void gather();
-  /// Contacts and their forces are those of other positions.
-  void forget();
-  /// Pairs that slept are computed again.
-  void forget_sleeping() { are_sleeping_loaded_ = false; }
+  /// The list of pairs is new.
+  void forget_sleeping() { loaded_sleep_ = none; }
 
  private:
   using Evaluation = typename ForcePass<D>::Evaluation;
+  static constexpr std::uint64_t none = ~std::uint64_t(0);
 
   template <class OnContact>
   void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
@@ -53,20 +41,11 @@ class ContactStage {
   void load_found(const Chunk& chunk, double made, bool are_found, PairSums& sums, Evaluation evaluation);
   void load_sleeping();
 
-  const Model<D>& model_;
-  ContactList<D>& contacts_;
-  ForcePass<D>& forces_;
-  HardContacts<D>& hard_contacts_;
-  PenetrationBound<D>& penetration_bound_;
-  ContinuousCollision<D>& continuous_collision_;
-  const Sleep<D>& sleep_;
-  Share& share_;
-  EnergyLedger& ledger_;
-  Threads* threads_;
+  State<D>& state_;
   Entrances<D> entrances_;
-  Array<PairSums> sums_;              // per chunk of pairs
-  double strain_of_sleeping_ = 0;     // J
-  bool are_sleeping_loaded_ = false;  // their forces are computed
+  Array<PairSums> sums_;               // per chunk of pairs
+  double strain_of_sleeping_ = 0;      // J
+  std::uint64_t loaded_sleep_ = none;  // for which the forces of sleeping pairs are computed
 };
 
 extern template class ContactStage<2>;
