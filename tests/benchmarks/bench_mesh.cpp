@@ -23,15 +23,15 @@ constexpr int passes = 7;
 constexpr double density = 2500, young = 1e9, gravity = 9.81;
 constexpr double contact_stiffness = 1e11;  // Pa/m
 
-struct Plan {
+struct Extent {
   double small, large;  // cells of a body
   int columns_2d;       // of a body that lies on another, along each side
   int columns_3d;
   double cell_steps;  // of each world in a pass
 };
 
-constexpr Plan full_plan{2e3, 1e5, 2000, 40, 2e6};
-constexpr Plan quick_plan{200, 2e3, 50, 6, 1e4};
+constexpr Extent full_extent{2e3, 1e5, 2000, 40, 2e6};
+constexpr Extent quick_extent{200, 2e3, 50, 6, 1e4};
 
 class MeshWorld {
  public:
@@ -146,13 +146,13 @@ MeshWords cube_of(int32_t kind, double wanted_cells) {
   return brick(dimension, {1, 1, 1}, {n, n, n}, [&](int) { return kind; });
 }
 
-void time_cantilever(int32_t kind, double wanted_cells, const Plan& plan) {
+void time_cantilever(int32_t kind, double wanted_cells, const Extent& extent) {
   const int dimension = halfspace_test::dimension_of(kind);
   const MeshWords words = cube_of(kind, wanted_cells);
   MeshWorld world(dimension);
   const std::int64_t empty = world.memory().live();
   world.add_cantilever(words);
-  const int steps = std::max(2, int(plan.cell_steps / world.cells()));
+  const int steps = std::max(2, int(extent.cell_steps / world.cells()));
   world.step(steps);  // the first one finds the time step and fills the lists
   const std::int64_t allocations_before = world.memory().allocations();
   Passes timed;
@@ -169,9 +169,9 @@ void time_cantilever(int32_t kind, double wanted_cells, const Plan& plan) {
 
 /// A flat body on a fixed block or on its like, pressed on it by its weight, and the same two apart: what the
 /// steps of the former take longer is the cost of contacts. Without springs each corner at a face is one.
-void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan) {
+void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Extent& extent) {
   const int dimension = halfspace_test::dimension_of(kind);
-  const int n = dimension == 2 ? plan.columns_2d : plan.columns_3d;
+  const int n = dimension == 2 ? extent.columns_2d : extent.columns_3d;
   const double cell = 0.01, size = n * cell, height = 2 * cell;
   const MeshWords words = dimension == 2
                               ? brick(2, {size, height, 0}, {n, 2, 0}, [&](int) { return kind; })
@@ -189,7 +189,7 @@ void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan
   fill(touching, has_spring ? -density * gravity * height / contact_stiffness : 0);
   fill(apart, 1);
   // A cell at the surface costs some times as much as one inside.
-  const int steps = std::max(2, int(plan.cell_steps / 8 / touching.cells()));
+  const int steps = std::max(2, int(extent.cell_steps / 8 / touching.cells()));
   touching.step(steps);
   apart.step(steps);
   Passes of_touching, of_apart;
@@ -210,34 +210,34 @@ void time_contacts(int32_t kind, bool on_its_like, int32_t law, const Plan& plan
   std::fflush(stdout);
 }
 
-void run_threads(const Plan& plan, int threads) {
+void run_threads(const Extent& extent, int threads) {
   for (const int32_t kind : halfspace_test::all_cell_kinds) {
-    const MeshWords words = cube_of(kind, plan.large);
+    const MeshWords words = cube_of(kind, extent.large);
     const int dimension = halfspace_test::dimension_of(kind);
     MeshWorld one(dimension), several(dimension, HS_STIFFNESS_PER_AREA, threads);
     for (MeshWorld* world : {&one, &several}) {
       world->add_cantilever(words);
       world->step(2);
     }
-    const int steps = std::max(2, int(plan.cell_steps / one.cells()));
+    const int steps = std::max(2, int(extent.cell_steps / one.cells()));
     std::printf("%-10s ", halfspace_test::name_of_cell(kind));
     print_speed_up(
         one.cells(), "cells", threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
   }
 }
 
-void run_all(const Plan& plan) {
+void run_all(const Extent& extent) {
   std::printf("%-10s %7s %7s %8s %8s %8s %8s %8s %8s %7s\n", "a body of", "", "", "surface", "1e6 cell", "",
               "ns/cell-", "B/cell", "B/node", "steady");
   std::printf("%-10s %7s %7s %8s %8s %8s %8s %8s %8s %7s\n", "", "cells", "nodes", "blocks", "steps/s",
               "median", "step", "held", "held", "allocs");
-  for (const double cells : {plan.small, plan.large})
-    for (const int32_t kind : halfspace_test::all_cell_kinds) time_cantilever(kind, cells, plan);
+  for (const double cells : {extent.small, extent.large})
+    for (const int32_t kind : halfspace_test::all_cell_kinds) time_cantilever(kind, cells, extent);
   std::printf("\n%-10s %-8s %-8s %7s %8s %8s %10s %8s %8s %8s %8s\n", "a body of", "lies on", "stiffn.",
               "cells", "blocks", "contacts", "candidates", "ns/cell", "ns/cont.", "ratio", "rounds");
   for (const int32_t law : {HS_STIFFNESS_PER_AREA, HS_STIFFNESS_NONE})
     for (const bool on_its_like : {false, true})
-      for (const int32_t kind : halfspace_test::all_cell_kinds) time_contacts(kind, on_its_like, law, plan);
+      for (const int32_t kind : halfspace_test::all_cell_kinds) time_contacts(kind, on_its_like, law, extent);
 }
 
 }  // namespace
@@ -245,14 +245,14 @@ void run_all(const Plan& plan) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const Plan plan = has_option(argc, argv, "--quick") ? quick_plan : full_plan;
+  const Extent extent = has_option(argc, argv, "--quick") ? quick_extent : full_extent;
   const int threads = threads_option(argc, argv);
   std::printf("libhalfspace %s, core %d\n", hs_version(), threads > 0 ? -1 : pin_to_this_core());
   try {
     if (threads > 0) {
-      run_threads(plan, threads);
+      run_threads(extent, threads);
     } else {
-      run_all(plan);
+      run_all(extent);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_mesh: %s\n", error.what());

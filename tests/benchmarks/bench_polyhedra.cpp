@@ -21,7 +21,7 @@ constexpr int passes = 5;
 constexpr double density = 2500;
 constexpr double pitch = 1;  // of the grid that they are dropped from: their diameter
 
-struct Plan {
+struct Extent {
   int columns, rows, layers;  // of the grid
   double settling_time;       // s
   int bins;                   // in the large world
@@ -118,19 +118,19 @@ struct Heap {
   }
 };
 
-Bin settled_bin(const Plan& plan) {
+Bin settled_bin(const Extent& extent) {
   std::mt19937_64 random(1);
-  Bin bin{plan.columns * pitch, plan.rows * pitch, 1.2 * plan.layers * pitch, {}, {}};
-  for (int k = 0; k < plan.layers; ++k)
-    for (int j = 0; j < plan.rows; ++j)
-      for (int i = 0; i < plan.columns; ++i) {
+  Bin bin{extent.columns * pitch, extent.rows * pitch, 1.2 * extent.layers * pitch, {}, {}};
+  for (int k = 0; k < extent.layers; ++k)
+    for (int j = 0; j < extent.rows; ++j)
+      for (int i = 0; i < extent.columns; ++i) {
         bin.grains.push_back(random_corners(random));
         bin.poses.push_back(
             {{(i + 0.5) * pitch, (j + 0.5) * pitch, (1.05 * k + 0.55) * pitch}, {0, 0, 0, 1}});
       }
   Heap heap(0);
   heap.add_bin(bin, 0);
-  while (heap.report().time < plan.settling_time) heap.step(500);
+  while (heap.report().time < extent.settling_time) heap.step(500);
   for (std::size_t i = 0; i < bin.grains.size(); ++i) {
     hs_block_state state;
     heap.check(hs_world_get_block_state(heap.world.get(), heap.grains[i], &state));
@@ -161,23 +161,23 @@ void write(const Bin& bin, const std::string& path) {
   if (!file) throw std::runtime_error("cannot write " + path);
 }
 
-void compare_threads(const Bin& bin, int bins, const Plan& plan, int threads) {
+void compare_threads(const Bin& bin, int bins, const Extent& extent, int threads) {
   Heap one(0), several(0, threads);
   for (Heap* heap : {&one, &several})
     for (int i = 0; i < bins; ++i) heap->add_bin(bin, i * (bin.width + 2));
   const double blocks = double(one.grains.size());
-  const int steps = std::max(2, int(plan.block_steps / blocks));
+  const int steps = std::max(2, int(extent.block_steps / blocks));
   one.step(std::max(steps, 200));
   several.step(std::max(steps, 200));
   print_speed_up(
       blocks, "blocks", threads, passes, [&] { one.step(steps); }, [&] { several.step(steps); });
 }
 
-void time_steps(const Bin& bin, int bins, const Plan& plan) {
+void time_steps(const Bin& bin, int bins, const Extent& extent) {
   Heap heap(0);
   for (int i = 0; i < bins; ++i) heap.add_bin(bin, i * (bin.width + 2));
   const double blocks = double(heap.grains.size());
-  const int steps = std::max(2, int(plan.block_steps / blocks));
+  const int steps = std::max(2, int(extent.block_steps / blocks));
   heap.step(std::max(steps, 200));
   const hs_world_report before = heap.report();
   const std::int64_t allocations_before = heap.memory.allocations();
@@ -208,19 +208,19 @@ void time_steps(const Bin& bin, int bins, const Plan& plan) {
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
   const bool quick = has_option(argc, argv, "--quick"), for_peer = has_option(argc, argv, "--write");
-  const Plan plan = quick      ? Plan{2, 2, 3, 0.2, 2, 1e3}
-                    : for_peer ? Plan{4, 5, 5, 4, 10, 4e5}
-                               : Plan{10, 10, 10, 4, 10, 1e6};
+  const Extent extent = quick      ? Extent{2, 2, 3, 0.2, 2, 1e3}
+                        : for_peer ? Extent{4, 5, 5, 4, 10, 4e5}
+                                   : Extent{10, 10, 10, 4, 10, 1e6};
   const int threads = threads_option(argc, argv);
   std::printf("libhalfspace %s, core %d\n", hs_version(), threads > 0 ? -1 : pin_to_this_core());
   try {
-    const Bin bin = settled_bin(plan);
+    const Bin bin = settled_bin(extent);
     if (for_peer) write(bin, std::string(option_value(argc, argv, "--write", "bin.txt")));
-    for (const int bins : {1, plan.bins}) {
+    for (const int bins : {1, extent.bins}) {
       if (threads > 0) {
-        compare_threads(bin, bins, plan, threads);
+        compare_threads(bin, bins, extent, threads);
       } else {
-        time_steps(bin, bins, plan);
+        time_steps(bin, bins, extent);
       }
     }
   } catch (const std::exception& error) {

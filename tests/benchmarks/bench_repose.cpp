@@ -19,7 +19,7 @@ using halfspace_test::require_ok;
 using halfspace_test::Shape;
 using halfspace_test::World;
 
-struct Plan {
+struct Extent {
   double width, height;          ///< of the material, m
   int columns, rows, quartered;  ///< of its mesh
   double plate_length;
@@ -31,8 +31,8 @@ struct Plan {
 // 49 x 59 cells halved and three of them quartered are the paper's 5788 triangles. Plate and baffles have the
 // length of its 440 squares of 0.05 m: (8.6 + 2 x 1.2) x 0.1 m^2. The baffles rise ten times as fast as the
 // paper's.
-constexpr Plan full_plan{1.0, 1.2, 49, 59, 3, 8.6, 0.05, 1.3, 1.5, 1.0, 200};
-constexpr Plan quick_plan{0.2, 0.24, 10, 12, 0, 1.7, 0.002, 0.004, 0.002, 1.0, 20};
+constexpr Extent full_extent{1.0, 1.2, 49, 59, 3, 8.6, 0.05, 1.3, 1.5, 1.0, 200};
+constexpr Extent quick_extent{0.2, 0.24, 10, 12, 0, 1.7, 0.002, 0.004, 0.002, 1.0, 20};
 
 constexpr double wall = 0.1;
 constexpr double time_step =
@@ -82,16 +82,16 @@ hs_block add_block(hs_context* context, hs_world* world, const Points& vertices,
 
 class Repose {
  public:
-  Repose(const Plan& plan, hs_context* context) : context_(context), world_(make_world(context)) {
-    const double middle = plan.width / 2;
-    add(halfspace_test::box(middle - plan.plate_length / 2, -wall, middle + plan.plate_length / 2, 0),
+  Repose(const Extent& extent, hs_context* context) : context_(context), world_(make_world(context)) {
+    const double middle = extent.width / 2;
+    add(halfspace_test::box(middle - extent.plate_length / 2, -wall, middle + extent.plate_length / 2, 0),
         HS_BLOCK_FIXED, plate_material);
-    baffles_[0] = add(halfspace_test::box(-wall, 0, 0, plan.height), HS_BLOCK_PRESCRIBED, baffle_material);
-    baffles_[1] = add(halfspace_test::box(plan.width, 0, plan.width + wall, plan.height), HS_BLOCK_PRESCRIBED,
-                      baffle_material);
+    baffles_[0] = add(halfspace_test::box(-wall, 0, 0, extent.height), HS_BLOCK_PRESCRIBED, baffle_material);
+    baffles_[1] = add(halfspace_test::box(extent.width, 0, extent.width + wall, extent.height),
+                      HS_BLOCK_PRESCRIBED, baffle_material);
     Random random(1);
     for (const Points& triangle :
-         mesh_rectangle(plan.width, plan.height, plan.columns, plan.rows, plan.quartered, random)) {
+         mesh_rectangle(extent.width, extent.height, extent.columns, extent.rows, extent.quartered, random)) {
       add(triangle, HS_BLOCK_RIGID, grain_material);
     }
   }
@@ -143,15 +143,15 @@ void print_header() {
 }
 
 /// Times some steps from where the world stands.
-void measure(const char* stage, Repose& repose, const Plan& plan, const CountingMemory& memory) {
+void measure(const char* stage, Repose& repose, const Extent& extent, const CountingMemory& memory) {
   repose.step(1);
   const hs_world_report before = repose.report();
   const std::int64_t allocations = memory.allocations();
   Passes timed;
-  for (int i = 0; i < passes; ++i) timed.add(seconds_of([&] { repose.step(plan.timed_steps); }));
+  for (int i = 0; i < passes; ++i) timed.add(seconds_of([&] { repose.step(extent.timed_steps); }));
   const hs_world_report after = repose.report();
   const double blocks = double(after.block_count);
-  const auto ns = [&](double seconds) { return 1e9 * seconds / (plan.timed_steps * blocks); };
+  const auto ns = [&](double seconds) { return 1e9 * seconds / (extent.timed_steps * blocks); };
   std::printf("%-12s %8.3f %8.2f %9.2f %9.1f %9.1f %9.2f %9.0f %7lld %7lld %10.1e\n", stage, after.time,
               double(after.contact_count) / blocks, double(after.candidate_count) / blocks,
               ns(timed.minimum()), ns(timed.median()), 1e3 / ns(timed.minimum()),
@@ -172,29 +172,29 @@ void write_all(const std::string& path, const std::string& bytes) {
 }
 
 /// From the full box to the heap at rest, timed on the way; the heap is kept in `path` if one is given.
-void form_heap(const Plan& plan, const std::string& path) {
+void form_heap(const Extent& extent, const std::string& path) {
   CountingMemory memory;
   const hs_context_def def = memory.definition();
   const Context context = halfspace_test::make_context(&def);
-  Repose repose(plan, context.get());
-  repose.pass_time(plan.time_in_box);
-  measure("in the box", repose, plan, memory);
-  repose.set_rise_speed(plan.rise_speed);
-  repose.pass_time(plan.time_of_rise / 2);
-  measure("baffles rise", repose, plan, memory);
-  repose.pass_time(plan.time_of_rise / 2);
+  Repose repose(extent, context.get());
+  repose.pass_time(extent.time_in_box);
+  measure("in the box", repose, extent, memory);
+  repose.set_rise_speed(extent.rise_speed);
+  repose.pass_time(extent.time_of_rise / 2);
+  measure("baffles rise", repose, extent, memory);
+  repose.pass_time(extent.time_of_rise / 2);
   repose.set_rise_speed(0);
-  repose.pass_time(plan.time_to_rest);
-  measure("heap", repose, plan, memory);
+  repose.pass_time(extent.time_to_rest);
+  measure("heap", repose, extent, memory);
   if (!path.empty()) write_all(path, repose.save());
 }
 
-void measure_kept_heap(const Plan& plan, const std::string& saved) {
+void measure_kept_heap(const Extent& extent, const std::string& saved) {
   CountingMemory memory;
   const hs_context_def def = memory.definition();
   const Context context = halfspace_test::make_context(&def);
   Repose repose(context.get(), saved);
-  measure("kept heap", repose, plan, memory);
+  measure("kept heap", repose, extent, memory);
 }
 
 }  // namespace
@@ -202,16 +202,16 @@ void measure_kept_heap(const Plan& plan, const std::string& saved) {
 
 int main(int argc, char** argv) {
   using namespace halfspace_benchmark;
-  const Plan& plan = has_option(argc, argv, "--quick") ? quick_plan : full_plan;
+  const Extent& extent = has_option(argc, argv, "--quick") ? quick_extent : full_extent;
   const std::string path(option_value(argc, argv, "--keep", ""));
   std::printf("libhalfspace %s, core %d, %d triangles\n", hs_version(), pin_to_this_core(),
-              2 * (plan.columns * plan.rows + plan.quartered));
+              2 * (extent.columns * extent.rows + extent.quartered));
   print_header();
   try {
     if (const std::string saved = read_all(path); !saved.empty()) {
-      measure_kept_heap(plan, saved);
+      measure_kept_heap(extent, saved);
     } else {
-      form_heap(plan, path);
+      form_heap(extent, path);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_repose: %s\n", error.what());

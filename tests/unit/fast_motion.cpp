@@ -12,7 +12,7 @@ namespace {
 constexpr double time_step = 0x1p-7, thickness = 0x1p-5, distance = 0.25;
 
 /// A bar at a distance from a fixed plate as thin. It flies towards the plate, unless another direction is
-/// given, by so many thicknesses a step. The motion of a step is planned.
+/// given, by so many thicknesses a step. The motion of a step is predicted.
 template <int D>
 struct Flight : WorldParts<D> {
   double speed;

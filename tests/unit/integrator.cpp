@@ -154,7 +154,7 @@ TEST_CASE("work of an applied force is by the velocity in the middle of a motion
   CHECK(parts.integrator.kick().applied_power == 8 * (3 + 8 / 4.0 * time_step / 2));
 }
 
-TEST_CASE("a planned motion is as long as the way of the centroid and the swing of the corners") {
+TEST_CASE("a predicted motion is as long as the way of the centroid and the swing of the corners") {
   WorldParts<2> parts(ContactLaw(), falling<2>());
   parts.add(cube<2>(), BlockKind::rigid, {0, 0});
   parts.blocks.set_motion(0, {3, 4}, Angular<2>(2));
@@ -162,15 +162,15 @@ TEST_CASE("a planned motion is as long as the way of the centroid and the swing 
   double noise = 0;
   parts.integrator.begin(time_step, noise);
   REQUIRE(parts.integrator.predict(time_step));
-  const Vector<2> planned = time_step * Vector<2>(3, 4 - 0.5 * gravity * time_step);
-  CHECK(parts.integrator.predicted_displacement(0) == planned);
+  const Vector<2> predicted = time_step * Vector<2>(3, 4 - 0.5 * gravity * time_step);
+  CHECK(parts.integrator.predicted_displacement(0) == predicted);
   CHECK(parts.integrator.predicted_turn(0)[0] == Approx(2 * time_step));
-  const double way = planned.norm(), arc = std::sqrt(0.5) * 2 * time_step;
+  const double way = predicted.norm(), arc = std::sqrt(0.5) * 2 * time_step;
   CHECK(parts.integrator.longest_motion() >= (way + arc) * (1 - 1e-12));
   CHECK(parts.integrator.longest_motion() <= way + 1.5 * arc);
 }
 
-TEST_CASE("a motion that is not finite is not planned") {
+TEST_CASE("a motion that is not finite is not predicted") {
   WorldParts<2> parts{ContactLaw()};
   parts.add(cube<2>(), BlockKind::rigid, {0, 0}, {1, 0});
   parts.list_neighbors();

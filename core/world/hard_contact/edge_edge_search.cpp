@@ -9,7 +9,7 @@
 
 namespace halfspace {
 
-/// An edge where it is now, and where it will be at the end of the planned motion.
+/// An edge where it is now, and where it will be at the end of the predicted motion.
 struct MovingEdge {
   struct Place {
     std::array<Vector<3>, 2> end;
@@ -29,7 +29,7 @@ struct MovingEdge {
 
   std::array<MaterialPoint<3>, 2> end;
   Place now;
-  Place planned;
+  Place predicted;
 };
 
 namespace {
@@ -117,12 +117,12 @@ MovingEdge PointContactSearch<3>::edge(std::int32_t block, int which) const {
       edge.end[i].weight = Vector<3>::Unit(0);
       edge.now.end[i] = node_now(slot, of_mesh.node[i]);
       edge.now.beside[i] = node_now(slot, of_mesh.beside[i]);
-      edge.planned.end[i] =
+      edge.predicted.end[i] =
           edge.now.end[i] + integrator_.predicted_displacement_of_node(std::size_t(of_mesh.node[i]));
-      edge.planned.beside[i] =
+      edge.predicted.beside[i] =
           edge.now.beside[i] + integrator_.predicted_displacement_of_node(std::size_t(of_mesh.beside[i]));
     }
-    edge.now.outwards = edge.planned.outwards =
+    edge.now.outwards = edge.predicted.outwards =
         outwards_[std::size_t(of_mesh.node[0])] + outwards_[std::size_t(of_mesh.node[1])];
     return edge;
   }
@@ -132,7 +132,7 @@ MovingEdge PointContactSearch<3>::edge(std::int32_t block, int which) const {
   for (std::size_t i = 0; i < 2; ++i) {
     edge.end[i] = corner_of(block, corner[i]);
     edge.now.end[i] = corner_now(slot, corner[i]);
-    edge.planned.end[i] = predicted_corner(slot, corner[i]);
+    edge.predicted.end[i] = predicted_corner(slot, corner[i]);
   }
   const int face[] = {topology.edge_left[which], topology.edge_right[which]};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -140,13 +140,13 @@ MovingEdge PointContactSearch<3>::edge(std::int32_t block, int which) const {
     int third = 0;
     while (of_face[third] == corner[0] || of_face[third] == corner[1]) ++third;
     edge.now.beside[i] = corner_now(slot, of_face[third]);
-    edge.planned.beside[i] = predicted_corner(slot, of_face[third]);
+    edge.predicted.beside[i] = predicted_corner(slot, of_face[third]);
   }
   const auto out_of = [](const MovingEdge::Place& place, const Vector<3>& centroid) {
     return Vector<3>(0.5 * (place.end[0] + place.end[1]) - centroid);
   };
   edge.now.outwards = out_of(edge.now, pose_now(slot).position);
-  edge.planned.outwards = out_of(edge.planned, predicted_pose(slot).position);
+  edge.predicted.outwards = out_of(edge.predicted, predicted_pose(slot).position);
   return edge;
 }
 
@@ -204,14 +204,14 @@ void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
       if (!about_edge.is_near(bound_of_edge(b, k), reach)) continue;
       const MovingEdge of_b = edge(b, k);
       if (!of_b.now.is_sharp() || are_parallel(of_a.now, of_b.now)) continue;
-      if (!is_between(of_a.now, of_b.now) && !is_between(of_a.planned, of_b.planned)) continue;
+      if (!is_between(of_a.now, of_b.now) && !is_between(of_a.predicted, of_b.predicted)) continue;
       // A corner that slides along a face falls a little behind it, until it is held: its edge is none that
       // meets another there.
-      const NearestPlaces at_end = nearest(of_a.planned, of_b.planned);
+      const NearestPlaces at_end = nearest(of_a.predicted, of_b.predicted);
       if (!nearest(of_a.now, of_b.now).is_between_ends() || !at_end.is_between_ends()) continue;
       const Vector<3> normal = normal_of(of_a.now, of_b.now);
       const double before = normal.dot(of_a.now.end[0] - of_b.now.end[0]);
-      const double after = normal.dot(of_a.planned.at(at_end.on_a) - of_b.planned.at(at_end.on_b));
+      const double after = normal.dot(of_a.predicted.at(at_end.on_a) - of_b.predicted.at(at_end.on_b));
       if (after > margin_ || before < -most_behind) continue;
       ContactConstraint<3> at;
       at.a = a;
@@ -246,8 +246,8 @@ void PointContactSearch<3>::place_edges(ContactConstraint<3>& at) const {
 template <>
 double PointContactSearch<3>::predicted_gap_of_edges(const ContactConstraint<3>& at) const {
   const MovingEdge of_a = edge(at.a, at.feature_a), of_b = edge(at.b, at.feature_b);
-  const Vector<3> normal = normal_of(of_a.planned, of_b.planned);
-  const double gap = normal.dot(of_a.planned.end[0] - of_b.planned.end[0]);
+  const Vector<3> normal = normal_of(of_a.predicted, of_b.predicted);
+  const double gap = normal.dot(of_a.predicted.end[0] - of_b.predicted.end[0]);
   return normal.dot(at.normal) > 0 ? gap : -gap;
 }
 

@@ -47,7 +47,7 @@ class HardContacts {
   /// The world has been edited.
   void forget_rest() { rigid_.forget_rest(); }
 
-  /// The contact with the largest force of the coming motion, or of the last one where none is planned.
+  /// The contact with the largest force of the coming motion, or of the last one where none is predicted.
   PressedPair most_pressed() const {
     PressedPair pair;
     points_.note_pressed(pair);

@@ -96,13 +96,13 @@ Patch<D> ImpulseRows<D>::patch_of(const RigidContact<D>& at, const Arms<D>& arm)
 }
 
 template <int D>
-void ImpulseRows<D>::build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem) {
+void ImpulseRows<D>::build(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem) {
   set_inverse_masses(problem);
   build_of_masses(contacts, problem, true);
 }
 
 template <int D>
-void ImpulseRows<D>::build_normals(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+void ImpulseRows<D>::build_normals(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem,
                                    std::span<const std::size_t> immovable) {
   set_inverse_masses(problem);
   for (const std::size_t block : immovable) problem.inverse_masses[block] = {};
@@ -110,7 +110,7 @@ void ImpulseRows<D>::build_normals(std::span<PlannedContact<D>> contacts, Impuls
 }
 
 template <int D>
-void ImpulseRows<D>::build_of_masses(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+void ImpulseRows<D>::build_of_masses(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem,
                                      bool with_friction) {
   problem.contacts.clear();
   problem.rows.clear();
@@ -126,7 +126,7 @@ void ImpulseRows<D>::build_of_masses(std::span<PlannedContact<D>> contacts, Impu
     row.impulse = impulse;
     problem.rows.push_back(row);
   };
-  for (PlannedContact<D>& at : contacts) {
+  for (PredictedContact<D>& at : contacts) {
     const std::size_t a = std::size_t(at.a), b = std::size_t(at.b);
     const std::size_t mover_a = blocks_.mover_of(a), mover_b = blocks_.mover_of(b);
     const Vector<D> arm_of_a = blocks_.arm_of(a), arm_of_b = blocks_.arm_of(b);

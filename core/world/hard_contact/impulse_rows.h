@@ -36,13 +36,14 @@ class ImpulseRows {
       : model_(model), blocks_(model.blocks), search_(search) {}
 
   /// Sets contacts, rows and masses. Impulses are those of the contacts; targets are 0.
-  void build(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem);
+  void build(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem);
   /// The same without friction. These blocks do not move.
-  void build_normals(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem,
+  void build_normals(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem,
                      std::span<const std::size_t> immovable);
 
  private:
-  void build_of_masses(std::span<PlannedContact<D>> contacts, ImpulseProblem<D>& problem, bool with_friction);
+  void build_of_masses(std::span<PredictedContact<D>> contacts, ImpulseProblem<D>& problem,
+                       bool with_friction);
   Patch<D> patch_of(const RigidContact<D>& at, const Arms<D>& arm) const;
   void set_inverse_masses(ImpulseProblem<D>& problem);
 

@@ -103,7 +103,7 @@ bool ManifoldSearch<D>::moves(std::size_t slot, double duration) const {
 /// In order of their blocks, each with the plane that it had among the known ones, if that still serves.
 template <int D>
 void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> known,
-                             Array<PlannedContact<D>>& found) {
+                             Array<PredictedContact<D>>& found) {
   found.clear();
   pose_ahead(duration);
   auto before = known.begin();
@@ -113,7 +113,7 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
     const double margin = allowance(a) + allowance(b);
     const double distance = blocks_.radius[a] + blocks_.radius[b] + margin;
     if ((place_ahead(a) - place_ahead(b)).squaredNorm() > distance * distance) continue;
-    PlannedContact<D>& contact = found.emplace_back();
+    PredictedContact<D>& contact = found.emplace_back();
     contact.a = pair.a;
     contact.b = pair.b;
     while (before != known.end() && before->blocks() < contact.blocks()) ++before;
@@ -139,7 +139,7 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
 /// Pairs of blocks that impulses have moved farther than allowed for, and that now overlap unseen. False when
 /// there are none.
 template <int D>
-bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
+bool ManifoldSearch<D>::find_more(Array<PredictedContact<D>>& found) const {
   const auto deviates = [&](std::size_t i) {
     if (!is_free(i)) return false;
     const PosedBlock<D> at = predicted(i);
@@ -155,7 +155,7 @@ bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
     const PosedBlock<D> at_a = predicted(a), at_b = predicted(b);
     const double distance = blocks_.radius[a] + blocks_.radius[b];
     if ((at_a.position - at_b.position).squaredNorm() > distance * distance) continue;
-    PlannedContact<D> contact;
+    PredictedContact<D> contact;
     contact.a = pair.a;
     contact.b = pair.b;
     if (std::binary_search(found.begin(), found.begin() + std::ptrdiff_t(before), contact, is_before<D>))
@@ -173,20 +173,20 @@ bool ManifoldSearch<D>::find_more(Array<PlannedContact<D>>& found) const {
 }
 
 template <int D>
-void ManifoldSearch<D>::set_gaps(PlannedContact<D>& contact) const {
+void ManifoldSearch<D>::set_gaps(PredictedContact<D>& contact) const {
   const PosedBlock<D> a = now(std::size_t(contact.a)), b = now(std::size_t(contact.b));
   contact.normal = normal_of(contact.manifold, a, b);
   contact.gap = gaps_of(contact.manifold, contact.normal, a, b);
 }
 
 template <int D>
-Gaps<D> ManifoldSearch<D>::predicted_gaps(const PlannedContact<D>& contact) const {
+Gaps<D> ManifoldSearch<D>::predicted_gaps(const PredictedContact<D>& contact) const {
   const PosedBlock<D> a = predicted(std::size_t(contact.a)), b = predicted(std::size_t(contact.b));
   return gaps_of(contact.manifold, normal_of(contact.manifold, a, b), a, b);
 }
 
 template <int D>
-Vector<D> ManifoldSearch<D>::predicted_slip(const PlannedContact<D>& contact) const {
+Vector<D> ManifoldSearch<D>::predicted_slip(const PredictedContact<D>& contact) const {
   const auto displacement = [&](std::int32_t block, const Vector<D>& place) {
     const PosedBlock<D> before = now(std::size_t(block)), after = predicted(std::size_t(block));
     const Vector<D> arm = place - before.position;

@@ -23,8 +23,8 @@ class ManifoldSearch {
         ahead_(memory),
         allowance_(memory) {}
 
-  void find(double duration, std::span<const RigidContact<D>> known, Array<PlannedContact<D>>& found);
-  bool find_more(Array<PlannedContact<D>>& found) const;
+  void find(double duration, std::span<const RigidContact<D>> known, Array<PredictedContact<D>>& found);
+  bool find_more(Array<PredictedContact<D>>& found) const;
 
   /// Calls `visit(a, b)` for a moving and a sleeping block that touch at the end of their motion by present
   /// velocities.
@@ -46,10 +46,10 @@ class ManifoldSearch {
   /// At the end of the predicted motion.
   PosedBlock<D> predicted(std::size_t slot) const;
   /// Sets normal and gaps to those of now.
-  void set_gaps(PlannedContact<D>& contact) const;
-  Gaps<D> predicted_gaps(const PlannedContact<D>& contact) const;
+  void set_gaps(PredictedContact<D>& contact) const;
+  Gaps<D> predicted_gaps(const PredictedContact<D>& contact) const;
   /// The displacement of b against a in the predicted motion, where friction acts.
-  Vector<D> predicted_slip(const PlannedContact<D>& contact) const;
+  Vector<D> predicted_slip(const PredictedContact<D>& contact) const;
   double smaller_radius(const RigidContact<D>& contact) const {
     return std::min(blocks_.radius[std::size_t(contact.a)], blocks_.radius[std::size_t(contact.b)]);
   }

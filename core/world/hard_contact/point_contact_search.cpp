@@ -128,7 +128,7 @@ bool PointContactSearch<D>::is_well_inside(const Target& b, const Vector<D>& end
   const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
   for (int face = 0; face < own.face_count(); ++face) {
     const double depth = (own.offset[face] - own.normal(face).dot(end)) /
-                         (b.planned.inverse.transpose() * own.normal(face)).norm();
+                         (b.predicted.inverse.transpose() * own.normal(face)).norm();
     if (face != but_for && depth < behind_share * blocks_.radius[b.slot]) return false;
   }
   return true;
@@ -145,7 +145,7 @@ typename PointContactSearch<D>::Entrance PointContactSearch<D>::entrance(const T
   const Outline<D> own = blocks_.own_outline(std::int32_t(b.slot));
   const double radius = blocks_.radius[b.slot], reach = this->reach(b.slot);
   const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
-  const Vector<D> end = b.planned.inverse * (predicted_corner(a, corner) - b.planned.position);
+  const Vector<D> end = b.predicted.inverse * (predicted_corner(a, corner) - b.predicted.position);
   const Vector<D> out_of_a = outwards(a, corner).normalized();
   const double tiny = std::max(behind_share * radius, reach);
   Entrance last, at_start;
@@ -154,7 +154,7 @@ typename PointContactSearch<D>::Entrance PointContactSearch<D>::entrance(const T
     const Vector<D> normal = b.now.inverse.transpose() * own.normal(face);
     const double before = (own.normal(face).dot(start) - own.offset[face]) / normal.norm();
     const double after = (own.normal(face).dot(end) - own.offset[face]) /
-                         (b.planned.inverse.transpose() * own.normal(face)).norm();
+                         (b.predicted.inverse.transpose() * own.normal(face)).norm();
     if (after > margin_) return {};
     if (!b.is_outer(own, face)) {
       is_beside = is_beside || before > reach;

@@ -34,7 +34,7 @@ struct SideOfEdge {
   std::int32_t beside;
 };
 
-/// An edge now and at the end of the planned motion: see edge_edge_search.cpp.
+/// An edge now and at the end of the predicted motion: see edge_edge_search.cpp.
 struct MovingEdge;
 
 /// A ball about an edge.
@@ -47,7 +47,7 @@ struct EdgeBound {
   double radius;
 };
 
-/// Looks for the places where blocks would pass through each other in the planned motion: corners through
+/// Looks for the places where blocks would pass through each other in the predicted motion: corners through
 /// faces, and in space edges through edges.
 template <int D>
 class PointContactSearch {
@@ -66,11 +66,11 @@ class PointContactSearch {
 
   /// Takes note of the surfaces of meshes, after the neighbour list has been made anew.
   void rebuild_surface();
-  /// Finds all that come near each other in the planned motion, in order of their keys, and places them.
+  /// Finds all that come near each other in the predicted motion, in order of their keys, and places them.
   void find(Array<ContactConstraint<D>>& found);
   /// Sets points, normal, gap and mobilities to those of now.
   void place(ContactConstraint<D>& at) const;
-  /// The gap at the end of the planned motion.
+  /// The gap at the end of the predicted motion.
   double predicted_gap(const ContactConstraint<D>& at) const;
   /// The area that a corner stands for on the face before it. Nodes of two meshes share it, and against any
   /// other block those of the mesh have it.
@@ -79,7 +79,7 @@ class PointContactSearch {
   double reach(std::size_t b) const;
 
  private:
-  /// A block now, or at the end of the planned motion.
+  /// A block now, or at the end of the predicted motion.
   struct Pose {
     Pose(const Vector<D>& at, const Tensor<D>& turned_by);
     Vector<D> position;
@@ -101,7 +101,7 @@ class PointContactSearch {
     }
     std::size_t slot;
     Pose now;
-    Pose planned;
+    Pose predicted;
     std::int32_t outer_faces;  // of a mesh; else all are
   };
   /// The face through which a corner comes in, or -1, and when: a share of the motion.

@@ -21,7 +21,7 @@ bool precedes(const PointContact<D>& one, const PointContact<D>& other) {
 
 template <int D>
 void PointContacts<D>::push(double scale) {
-  for (const ContactConstraint<D>& at : planned_) {
+  for (const ContactConstraint<D>& at : predicted_) {
     changes().add(at.of_a, scale * at.impulse);
     changes().add(at.of_b, -scale * at.impulse);
   }
@@ -64,7 +64,7 @@ template <int D>
 bool PointContacts<D>::find_more(double time, double duration) {
   search_.find(found_);
   std::erase_if(found_, [&](const ContactConstraint<D>& at) {
-    return std::binary_search(planned_.begin(), planned_.end(), at, precedes<D>);
+    return std::binary_search(predicted_.begin(), predicted_.end(), at, precedes<D>);
   });
   if (found_.empty()) return false;
   remember(found_, time, duration);
@@ -72,23 +72,23 @@ bool PointContacts<D>::find_more(double time, double duration) {
     begin(at, duration);
     at.impulse = Vector<D>::Zero();
   }
-  planned_.insert(planned_.end(), found_.begin(), found_.end());
-  std::sort(planned_.begin(), planned_.end(), precedes<D>);
+  predicted_.insert(predicted_.end(), found_.begin(), found_.end());
+  std::sort(predicted_.begin(), predicted_.end(), precedes<D>);
   return true;
 }
 
 template <int D>
 void PointContacts<D>::find(double time, double duration) {
   motion_began_ = time;
-  search_.find(planned_);
-  remember(planned_, time, duration);
-  for (ContactConstraint<D>& at : planned_) begin(at, duration);
+  search_.find(predicted_);
+  remember(predicted_, time, duration);
+  for (ContactConstraint<D>& at : predicted_) begin(at, duration);
 }
 
 template <int D>
 bool PointContacts<D>::correct(double duration) {
   bool is_exact = true;
-  for (ContactConstraint<D>& at : planned_) {
+  for (ContactConstraint<D>& at : predicted_) {
     at.gap = search_.predicted_gap(at);
     const double error = at.gap - at.gap_floor - duration * at.normal.dot(at.velocity + kicked(at));
     at.velocity += error / duration * at.normal;
@@ -149,7 +149,7 @@ Vector<D> PointContacts<D>::velocity_of(const ContactConstraint<D>& at) const {
 template <int D>
 void PointContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
   const double half = 0.5 * integrator_.duration();
-  for (ContactConstraint<D>& at : planned_) {
+  for (ContactConstraint<D>& at : predicted_) {
     at.applied_velocity_change =
         half * (integrator_.acceleration_of(at.of_a) - integrator_.acceleration_of(at.of_b));
     const double normal_work = book(at, velocity_of(at), ledger);
@@ -177,10 +177,10 @@ void PointContacts<D>::break_when_due(ContactConstraint<D>& at) const {
 
 template <int D>
 void PointContacts<D>::find_at_end() {
-  std::erase_if(planned_, [&](const ContactConstraint<D>& at) {
+  std::erase_if(predicted_, [&](const ContactConstraint<D>& at) {
     return !at.is_bonded && at.impulse.isZero(0) && at.gap > search_.reach(std::size_t(at.b));
   });
-  for (ContactConstraint<D>& at : planned_) {
+  for (ContactConstraint<D>& at : predicted_) {
     break_when_due(at);
     search_.place(at);
     if (at.gap < -reported_depth * blocks_.radius[std::size_t(at.b)])
@@ -192,28 +192,28 @@ void PointContacts<D>::find_at_end() {
 /// Has any contact closed in this motion?
 template <int D>
 bool PointContacts<D>::is_impact() const {
-  return std::any_of(planned_.begin(), planned_.end(),
+  return std::any_of(predicted_.begin(), predicted_.end(),
                      [](const ContactConstraint<D>& at) { return at.is_new_impact; });
 }
 
 template <int D>
 bool PointContacts<D>::begin_impact(bool is_other_impact) {
-  is_impact_ = !planned_.empty() && (is_other_impact || is_impact());
+  is_impact_ = !predicted_.empty() && (is_other_impact || is_impact());
   if (!is_impact_) return false;
-  for (ContactConstraint<D>& at : planned_) at.velocity = at.approach_velocity;
+  for (ContactConstraint<D>& at : predicted_) at.velocity = at.approach_velocity;
   return true;
 }
 
 template <int D>
 void PointContacts<D>::end_impact() {
-  for (ContactConstraint<D>& at : planned_) at.impact_loss = -normal_work(at, at.approach_velocity);
+  for (ContactConstraint<D>& at : predicted_) at.impact_loss = -normal_work(at, at.approach_velocity);
 }
 
 /// Loaded contacts store energy in each second half step and release it in the first of the next motion. That
 /// is no loss.
 template <int D>
 void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger) {
-  for (ContactConstraint<D>& at : planned_) {
+  for (ContactConstraint<D>& at : predicted_) {
     const double normal_work = book(at, at.velocity, ledger);
     const double stored_normal_work = is_impact_
                                           ? -normal_work - at.impact_loss
@@ -225,15 +225,15 @@ void PointContacts<D>::book_velocity_impulses(EnergyLedger& ledger) {
 
 template <int D>
 void PointContacts<D>::set_velocities() {
-  for (ContactConstraint<D>& at : planned_) at.velocity = velocity_of(at);
+  for (ContactConstraint<D>& at : predicted_) at.velocity = velocity_of(at);
 }
 
 template <int D>
 void PointContacts<D>::end_motion(EnergyLedger& ledger) {
   book_velocity_impulses(ledger);
-  for (ContactConstraint<D>& at : planned_) break_when_due(at);
+  for (ContactConstraint<D>& at : predicted_) break_when_due(at);
   const double rate = changes().rate();
-  for (ContactConstraint<D>& at : planned_) at.force = rate * at.impulse;
+  for (ContactConstraint<D>& at : predicted_) at.force = rate * at.impulse;
   iterations_ += std::exchange(next_iterations_, 0);
   exchange_known(ledger);
 }
@@ -241,7 +241,7 @@ void PointContacts<D>::end_motion(EnergyLedger& ledger) {
 template <int D>
 void PointContacts<D>::exchange_known(EnergyLedger& ledger) {
   auto before = known_.begin();
-  for (const ContactConstraint<D>& at : planned_) {
+  for (const ContactConstraint<D>& at : predicted_) {
     for (; before != known_.end() && before->key() < at.key(); ++before)
       ledger.add_impact_loss(before->stored_normal_work);
     if (before != known_.end() && before->key() == at.key()) {
@@ -251,17 +251,17 @@ void PointContacts<D>::exchange_known(EnergyLedger& ledger) {
     }
   }
   for (; before != known_.end(); ++before) ledger.add_impact_loss(before->stored_normal_work);
-  next_known_.assign(planned_.begin(), planned_.end());
+  next_known_.assign(predicted_.begin(), predicted_.end());
   known_.swap(next_known_);
-  planned_.clear();
+  predicted_.clear();
 }
 
 template <int D>
 void PointContacts<D>::note_pressed(PressedPair& pair) const {
-  if (planned_.empty()) {
+  if (predicted_.empty()) {
     for (const PointContact<D>& at : known_) pair.note(at.a, at.b, at.force.norm());
   } else {
-    for (const ContactConstraint<D>& at : planned_)
+    for (const ContactConstraint<D>& at : predicted_)
       pair.note(at.a, at.b, changes().rate() * at.impulse.norm());
   }
 }

@@ -27,7 +27,7 @@ class PointContacts {
         search_(model, contacts, integrator, memory),
         known_(memory),
         next_known_(memory),
-        planned_(memory),
+        predicted_(memory),
         found_(memory) {}
 
   /// Those at the end of the last motion.
@@ -38,7 +38,7 @@ class PointContacts {
   /// block.
   double deepest() const { return deepest_; }
 
-  /// Notes the contacts of the coming motion, or of the last one where none is planned.
+  /// Notes the contacts of the coming motion, or of the last one where none is predicted.
   void note_pressed(PressedPair& pair) const;
 
   /// After the neighbour list has been renewed.
@@ -49,17 +49,17 @@ class PointContacts {
   void find(double time, double duration);
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
   bool find_more(double time, double duration);
-  bool empty() const { return planned_.empty(); }
+  bool empty() const { return predicted_.empty(); }
   /// Takes the memory of the end of the motion.
-  void reserve() { next_known_.reserve(planned_.size()); }
+  void reserve() { next_known_.reserve(predicted_.size()); }
   /// Adds the changes of velocity by its impulses.
   void solve() {
-    if (!empty()) next_iterations_ += solve_constraints<D>(planned_, changes());
+    if (!empty()) next_iterations_ += solve_constraints<D>(predicted_, changes());
   }
   /// Adds the changes of velocity by its impulses, times a factor.
   void push(double scale = 1);
-  /// The planned contacts, for a solver of more than these.
-  Array<ContactConstraint<D>>& constraints() { return planned_; }
+  /// The contacts of the predicted motion, for a solver of more than these.
+  Array<ContactConstraint<D>>& constraints() { return predicted_; }
   /// Gaps also change as their normals turn, which the linear constraints leave out: the constraint
   /// velocities are corrected by it. True when the correction is below the tolerance.
   bool correct(double duration);
@@ -73,8 +73,8 @@ class PointContacts {
   void set_velocities();
   void end_motion(EnergyLedger& ledger);
 
-  /// Drops contacts planned for a motion that was not made.
-  void begin() { planned_.clear(); }
+  /// Drops the contacts of a predicted motion that was not made.
+  void begin() { predicted_.clear(); }
   void forget() { known_.clear(); }
   /// The predicted motion is not made.
   void drop_motion() { next_iterations_ = 0; }
@@ -110,7 +110,7 @@ class PointContacts {
   PointContactSearch<D> search_;
   Array<PointContact<D>> known_;  // of the last motion, in order of their keys
   Array<PointContact<D>> next_known_;
-  Array<ContactConstraint<D>> planned_;
+  Array<ContactConstraint<D>> predicted_;
   Array<ContactConstraint<D>> found_;
   double motion_began_ = 0;           // time
   bool is_impact_ = false;            // some contact has closed in this motion

@@ -49,7 +49,7 @@ static_assert(sizeof(RigidContact<2>) == 176 && sizeof(RigidContact<3>) == 520,
 
 /// A contact of the present motion.
 template <int D>
-struct PlannedContact : RigidContact<D> {
+struct PredictedContact : RigidContact<D> {
   std::array<double, max_manifold_points<D>> rebound{};      // m/s, of opening by restitution
   std::array<double, max_manifold_points<D>> gained{};       // m/s, of opening from the impact to the end
   std::array<double, max_manifold_points<D>> rebound_gap{};  // m, at the motion's end, above where it touched

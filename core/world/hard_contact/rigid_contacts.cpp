@@ -32,7 +32,7 @@ template <int D>
 void RigidContacts<D>::warm_start(double duration) {
   const double scale = impulse_scale(duration);
   auto before = known_.begin();
-  for (PlannedContact<D>& contact : planned_) {
+  for (PredictedContact<D>& contact : predicted_) {
     while (before != known_.end() && before->blocks() < contact.blocks()) ++before;
     contact.is_new = before == known_.end() || before->blocks() != contact.blocks();
     if (contact.is_new) continue;
@@ -130,7 +130,7 @@ void RigidContacts<D>::take_impulses(const ImpulseResult& result) {
   next_iterations_ += result.iterations;
   next_unbalanced_velocity_ = std::max(next_unbalanced_velocity_, result.unbalanced);
   std::size_t c = 0;
-  for (PlannedContact<D>& contact : planned_) {
+  for (PredictedContact<D>& contact : predicted_) {
     const ImpulseContact<D>& of = problem_.contacts[c++];
     std::size_t i = 0;
     const double part = solves_whole() ? 0.5 : 1;
@@ -157,7 +157,7 @@ double RigidContacts<D>::twist_about_middle(const ImpulseContact<D>& of, const R
 
 template <int D>
 void RigidContacts<D>::push() const {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
     const ImpulseContact<D>& of = problem_.contacts[c];
     Vector<D> impulse = Vector<D>::Zero();
     Angular<D> turn_a = Angular<D>::Zero(), turn_b = Angular<D>::Zero();
@@ -208,8 +208,8 @@ void RigidContacts<D>::find(double duration) {
   fraction_before_impact_ = 1;
   rest_.note_slow(standing_speed(model_.settings.impulse_tolerance, duration), problem_.is_slow);
   solver_.set_pauses(pauses_);
-  search_.find(duration, known_, planned_);
-  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  search_.find(duration, known_, predicted_);
+  for (PredictedContact<D>& contact : predicted_) search_.set_gaps(contact);
   warm_start(duration);
 }
 
@@ -217,7 +217,7 @@ template <int D>
 void RigidContacts<D>::build() {
   first_.contacts.clear();
   set_start(Half::first);
-  rows_.build(planned_, problem_);
+  rows_.build(predicted_, problem_);
   set_motions(Half::first);
   problem_.find_islands();
   problem_.rows.reserve(most_rows(problem_));
@@ -227,8 +227,8 @@ void RigidContacts<D>::build() {
 
 template <int D>
 bool RigidContacts<D>::find_more(double time, double duration) {
-  if (!search_.find_more(planned_)) return false;
-  for (PlannedContact<D>& contact : planned_) {
+  if (!search_.find_more(predicted_)) return false;
+  for (PredictedContact<D>& contact : predicted_) {
     if (contact.is_new && contact.touched_at == 0) contact.touched_at = time + duration;
   }
   return true;
@@ -243,7 +243,7 @@ double RigidContacts<D>::book(std::size_t c, EnergyLedger& ledger) {
   impact_loss_ -= work.normal;
   friction_loss_ -= work.friction;
   whole_work_ += std::abs(work.normal) + std::abs(work.friction);
-  planned_[c].work.add(work);
+  predicted_[c].work.add(work);
   return -work.normal;
 }
 
@@ -262,7 +262,7 @@ void RigidContacts<D>::book_motion(EnergyLedger& ledger) {
 template <int D>
 void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
   impact_loss_ = friction_loss_ = whole_work_ = 0;
-  for (std::size_t c = 0; c < planned_.size(); ++c) planned_[c].impact_loss = book(c, ledger);
+  for (std::size_t c = 0; c < predicted_.size(); ++c) predicted_[c].impact_loss = book(c, ledger);
   keep_first_impulses();
 }
 
@@ -270,15 +270,15 @@ void RigidContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 /// potential energy. It aims at half of the overlap that is settled, so that it comes to an end.
 template <int D>
 double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
-  const auto overlaps = [&](const PlannedContact<D>& contact) {
+  const auto overlaps = [&](const PredictedContact<D>& contact) {
     return contact.min_gap() < -search_.settled_gap(contact);
   };
-  if (std::none_of(planned_.begin(), planned_.end(), overlaps)) return 0;
+  if (std::none_of(predicted_.begin(), predicted_.end(), overlaps)) return 0;
   rest_.begin();
-  rows_.build_normals(planned_, problem_, held_by_points);
+  rows_.build_normals(predicted_, problem_, held_by_points);
   std::fill_n(problem_.motions.begin(), blocks_.moving_end(), BlockMotion<D>());  // displacements
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    const PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    const PredictedContact<D>& contact = predicted_[c];
     if (!problem_.can_move(problem_.contacts[c])) problem_.contacts[c].normal_count = 0;
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -296,13 +296,13 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
     integrator_.displace(i, displacement);
     energy -= blocks_.mass[i] * model_.settings.gravity.dot(displacement.velocity);
   }
-  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  for (PredictedContact<D>& contact : predicted_) search_.set_gaps(contact);
   return energy;
 }
 
 template <int D>
 bool RigidContacts<D>::has_impact() const {
-  if (planned_.empty()) return false;  // the problem is that of an earlier motion
+  if (predicted_.empty()) return false;  // the problem is that of an earlier motion
   constexpr double fraction = 1e-3;
   const double slow = fraction * integrator_.duration() * model_.settings.gravity.norm();
   return std::any_of(problem_.contacts.begin(), problem_.contacts.end(), [&](const ImpulseContact<D>& of) {
@@ -316,9 +316,9 @@ bool RigidContacts<D>::has_impact() const {
 
 template <int D>
 void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) {
-  for (PlannedContact<D>& contact : planned_) search_.set_gaps(contact);
+  for (PredictedContact<D>& contact : predicted_) search_.set_gaps(contact);
   impact_loss_ -= recover(held_by_points);
-  for (PlannedContact<D>& contact : planned_) {
+  for (PredictedContact<D>& contact : predicted_) {
     contact.is_apart =
         !(contact.normal_impulse() > 0) && !contact.rebounds() && contact.min_gap() > search_.reach(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
@@ -331,18 +331,18 @@ void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) 
 template <int D>
 void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
   const double duration = integrator_.duration();
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    planned_[c].impact_loss += book(c, ledger);
-    touches_ += planned_[c].is_new && !planned_[c].is_apart;
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    predicted_[c].impact_loss += book(c, ledger);
+    touches_ += predicted_[c].is_new && !predicted_[c].is_apart;
   }
   book_motion(ledger);
-  std::erase_if(planned_, [](const PlannedContact<D>& contact) { return contact.is_apart; });
+  std::erase_if(predicted_, [](const PredictedContact<D>& contact) { return contact.is_apart; });
   rest_.end(duration, are_contacts_kept());
   replace_known(duration);
   keep_pauses();
   iterations_ += std::exchange(next_iterations_, 0);
   unbalanced_velocity_ = next_unbalanced_velocity_;
-  planned_.clear();
+  predicted_.clear();
   first_.contacts.clear();
   duration_ = duration;
 }
@@ -351,7 +351,7 @@ void RigidContacts<D>::end_motion(EnergyLedger& ledger) {
 template <int D>
 void RigidContacts<D>::keep_pauses() {
   pauses_.assign(blocks_.moving_end(), {});
-  if (planned_.empty()) return;
+  if (predicted_.empty()) return;
   for (std::size_t i = 0; i < pauses_.size(); ++i) {
     const bool stands = (blocks_.velocity[i] + changes().of_block(i)).isZero(0) &&
                         (blocks_.momentum[i] + changes().momentum(i)).isZero(0);
@@ -362,12 +362,12 @@ void RigidContacts<D>::keep_pauses() {
 /// None is new, and none has ended.
 template <int D>
 bool RigidContacts<D>::are_contacts_kept() const {
-  const auto is_old = [](const PlannedContact<D>& contact) { return !contact.is_new; };
+  const auto is_old = [](const PredictedContact<D>& contact) { return !contact.is_new; };
   const auto is_awake = [&](const RigidContact<D>& contact) {
     return !integrator_.sleep().leaves_out(contact);
   };
-  return std::all_of(planned_.begin(), planned_.end(), is_old) &&
-         std::count_if(known_.begin(), known_.end(), is_awake) == std::ptrdiff_t(planned_.size());
+  return std::all_of(predicted_.begin(), predicted_.end(), is_old) &&
+         std::count_if(known_.begin(), known_.end(), is_awake) == std::ptrdiff_t(predicted_.size());
 }
 
 /// Contacts of the last motion replace the known ones. Those of sleeping blocks stay, with their forces.
@@ -383,8 +383,8 @@ void RigidContacts<D>::replace_known(double duration) {
     contact.impact_loss = 0;
   }
   next_known_.clear();
-  std::merge(known_.begin(), known_.end(), planned_.begin(), planned_.end(), std::back_inserter(next_known_),
-             is_before<D>);
+  std::merge(known_.begin(), known_.end(), predicted_.begin(), predicted_.end(),
+             std::back_inserter(next_known_), is_before<D>);
   known_.swap(next_known_);
 }
 
@@ -393,10 +393,10 @@ void RigidContacts<D>::note_pressed(PressedPair& pair) const {
   const auto note = [&](const auto& contacts, double rate) {
     for (const RigidContact<D>& at : contacts) pair.note(at.a, at.b, rate * at.normal_impulse());
   };
-  if (planned_.empty()) {
+  if (predicted_.empty()) {
     if (duration_ > 0) note(known_, 2 / duration_);
   } else {
-    note(planned_, changes().rate());
+    note(predicted_, changes().rate());
   }
 }
 

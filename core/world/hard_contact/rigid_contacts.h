@@ -30,7 +30,7 @@ class RigidContacts {
         rest_(model, integrator, memory),
         known_(memory),
         next_known_(memory),
-        planned_(memory),
+        predicted_(memory),
         first_(memory),
         free_motions_(memory),
         pauses_(memory),
@@ -56,7 +56,7 @@ class RigidContacts {
     search_.for_each_meeting(duration, visit);
   }
 
-  /// Notes the contacts of the coming motion, or of the last one where none is planned.
+  /// Notes the contacts of the coming motion, or of the last one where none is predicted.
   void note_pressed(PressedPair& pair) const;
   /// After a solve that has not converged.
   const std::optional<Jam>& jam() const { return jam_; }
@@ -78,12 +78,12 @@ class RigidContacts {
   void find(double duration);
   /// Contacts that the search has missed and that the predicted motion closes. False when there are none.
   bool find_more(double time, double duration);
-  bool empty() const { return planned_.empty(); }
+  bool empty() const { return predicted_.empty(); }
   /// Does any contact close faster than by gravity, before the second half step?
   bool has_impact() const;
   /// Takes the memory of the end of the motion.
   void reserve() {
-    next_known_.reserve(planned_.size() + known_.size());
+    next_known_.reserve(predicted_.size() + known_.size());
     first_.contacts.reserve(problem_.contacts.size());
     first_.rows.reserve(problem_.rows.size());
     work_of_islands_.reserve(problem_.islands.count());
@@ -174,7 +174,7 @@ class RigidContacts {
   void sum_work_of_islands();
   double book(std::size_t contact, EnergyLedger& ledger);
   void book_motion(EnergyLedger& ledger);
-  double gap_floor(const PlannedContact<D>& contact, std::size_t point) const;
+  double gap_floor(const PredictedContact<D>& contact, std::size_t point) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;
@@ -187,7 +187,7 @@ class RigidContacts {
   std::optional<Jam> jam_;
   Array<RigidContact<D>> known_;
   Array<RigidContact<D>> next_known_;
-  Array<PlannedContact<D>> planned_;
+  Array<PredictedContact<D>> predicted_;
   ImpulseProblem<D> first_;  // that of the first half step, in the second one of a motion with rebounds
   Array<BlockMotion<D>> free_motions_;  // without impulses, while times of impact are found
   Array<SolverPause> pauses_;           // of each block, after the last motion

@@ -47,8 +47,8 @@ ImpulseRow<D> row_along(const Vector<D>& direction, std::span<const ImpulseRow<D
 template <int D>
 void RigidContacts<D>::keep_first_impulses() {
   first_.contacts.clear();
-  if (std::none_of(planned_.begin(), planned_.end(),
-                   [](const PlannedContact<D>& contact) { return contact.rebounds(); }))
+  if (std::none_of(predicted_.begin(), predicted_.end(),
+                   [](const PredictedContact<D>& contact) { return contact.rebounds(); }))
     return;
   rebound_trials_ = 0;
   first_.contacts.assign(problem_.contacts.begin(), problem_.contacts.end());
@@ -60,21 +60,21 @@ void RigidContacts<D>::keep_first_impulses() {
 /// of the motion. The couple of friction acts anywhere. Inertias are those of now. Slip is not followed.
 template <int D>
 void RigidContacts<D>::take_first_rows() {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
     const ImpulseContact<D>&contact = problem_.contacts[c], &first = first_.contacts[c];
     const InverseMass<D>&a = problem_.inverse_masses[std::size_t(contact.a)],
           &b = problem_.inverse_masses[std::size_t(contact.b)];
     for (ImpulseRow<D>& row : first_.rows_of(first)) row.set_masses(a, b);
     auto at_start = first_.normals_of(first).begin();
     for (ImpulseRow<D>& row : problem_.normals_of(contact)) {
-      move_row(row, *at_start++, planned_[c].impact_at);
+      move_row(row, *at_start++, predicted_[c].impact_at);
       row.set_masses(a, b);
     }
     if (contact.friction_count == 0) continue;
     const std::span<const ImpulseRow<D>> tangents = first_.frictions_of(first).first(D - 1);
     for (std::size_t k = 0; k < D - 1; ++k) {
       ImpulseRow<D>& row = problem_.frictions_of(contact)[k];
-      move_row(row, row_along<D>(row.direction, tangents), planned_[c].friction_at[k]);
+      move_row(row, row_along<D>(row.direction, tangents), predicted_[c].friction_at[k]);
       row.set_masses(a, b);
     }
   }
@@ -94,8 +94,8 @@ void RigidContacts<D>::take_back_first_impulses() {
 /// By the velocities of approach along the rows that the impulses act along: else these could make energy.
 template <int D>
 void RigidContacts<D>::set_rebounds() {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    PredictedContact<D>& contact = predicted_[c];
     const ImpulseContact<D>& of = problem_.contacts[c];
     const double restitution = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution;
     std::size_t i = 0;
@@ -112,8 +112,8 @@ void RigidContacts<D>::set_rebounds() {
 template <int D>
 bool RigidContacts<D>::match_times_of_impact() {
   bool has_changed = false;
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    PredictedContact<D>& contact = predicted_[c];
     const ImpulseContact<D>&of = problem_.contacts[c], &of_first = first_.contacts[c];
     const auto match = [&](double& at, double first, double whole) {
       const double before = std::exchange(at, std::clamp(1 - first / whole, 0.0, 1.0));
@@ -156,9 +156,9 @@ ImpulseWork RigidContacts<D>::work_of(std::size_t c) const {
 template <int D>
 void RigidContacts<D>::sum_work_of_islands() {
   work_of_islands_.assign(problem_.islands.count(), {});
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
     ImpulseWork& island = work_of_islands_[problem_.islands.of_contact(c)];
-    island.add(planned_[c].work);
+    island.add(predicted_[c].work);
     island.add(work_of(c));
   }
 }
@@ -181,18 +181,18 @@ template <int D>
 bool RigidContacts<D>::lower_rebounds() {
   sum_work_of_islands();
   bool has_changed = false;
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    if (!planned_[c].rebounds()) continue;
-    ImpulseWork own = planned_[c].work;
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    if (!predicted_[c].rebounds()) continue;
+    ImpulseWork own = predicted_[c].work;
     own.add(work_of(c));
     const ImpulseWork& island = work_of_islands_[problem_.islands.of_contact(c)];
     const bool gains_by_friction = own.friction > 0 && own.normal <= 0;
     const ImpulseWork& worse = gains_by_friction && own.ratio() > island.ratio() ? own : island;
-    has_changed |= planned_[c].fraction.improve(worse.sum(), worse.size);
+    has_changed |= predicted_[c].fraction.improve(worse.sum(), worse.size);
   }
   if (!has_changed) return false;
   if (++rebound_trials_ > max_trials) {
-    for (PlannedContact<D>& contact : planned_) contact.fraction.settle();
+    for (PredictedContact<D>& contact : predicted_) contact.fraction.settle();
   }
   set_motions(Half::second);
   set_targets();

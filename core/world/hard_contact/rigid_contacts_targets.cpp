@@ -46,7 +46,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
   add_support();
   const double slow = duration * model_.settings.gravity.norm() + unbalanced_velocity_;
   std::size_t c = 0;
-  for (PlannedContact<D>& contact : planned_) {
+  for (PredictedContact<D>& contact : predicted_) {
     ImpulseContact<D>& of = problem_.contacts[c++];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(of);
     const double restitution = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution;
@@ -84,7 +84,7 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
 /// impulses would grow without end. A loaded point near its face keeps its gap, too: where blocks have more
 /// such points than they can move, those of an iteration that did not converge could not all close.
 template <int D>
-double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t point) const {
+double RigidContacts<D>::gap_floor(const PredictedContact<D>& contact, std::size_t point) const {
   const double gap = contact.gap[point];
   if (contact.rebound_gap[point] > 0) return std::min(gap, 0.0) + contact.rebound_gap[point];
   return contact.was_loaded[point] && gap <= search_.resting_gap(contact) ? gap : std::min(gap, 0.0);
@@ -92,8 +92,8 @@ double RigidContacts<D>::gap_floor(const PlannedContact<D>& contact, std::size_t
 
 template <int D>
 void RigidContacts<D>::set_gap_targets(double duration) {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    const PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    const PredictedContact<D>& contact = predicted_[c];
     const auto predicted = search_.predicted_gaps(contact);
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -116,10 +116,10 @@ bool RigidContacts<D>::turns(std::int32_t mover) const {
 /// arms turn: a block would creep outwards on a platform that turns. Where nothing turns this is not seen.
 template <int D>
 void RigidContacts<D>::set_slip_targets(double duration) {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
     const ImpulseContact<D>& of = problem_.contacts[c];
     if (of.friction_count == 0 || !(turns(of.a) || turns(of.b))) continue;
-    const Vector<D> way = search_.predicted_slip(planned_[c]);
+    const Vector<D> way = search_.predicted_slip(predicted_[c]);
     for (ImpulseRow<D>& row : problem_.frictions_of(of)) {
       if (!row.direction.isZero(0))
         row.target = problem_.velocity_along(of, row) - row.direction.dot(way) / duration;
@@ -132,8 +132,8 @@ void RigidContacts<D>::set_slip_targets(double duration) {
 template <int D>
 bool RigidContacts<D>::correct_targets(double duration) {
   bool is_accurate = true;
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    const PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    const PredictedContact<D>& contact = predicted_[c];
     const auto predicted = search_.predicted_gaps(contact);
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     const double tolerance = gap_tolerance * search_.reach(contact);
@@ -154,9 +154,9 @@ bool RigidContacts<D>::correct_targets(double duration) {
 
 template <int D>
 void RigidContacts<D>::set_velocity_targets() {
-  if (planned_.empty()) return;
+  if (predicted_.empty()) return;
   set_start(Half::second);
-  rows_.build(planned_, problem_);
+  rows_.build(predicted_, problem_);
   if (solves_whole()) take_first_rows();
   set_motions(Half::second);
   if (solves_whole()) set_rebounds();
@@ -166,8 +166,8 @@ void RigidContacts<D>::set_velocity_targets() {
 /// Points that neither bear nor are on their face have no target.
 template <int D>
 void RigidContacts<D>::set_targets() {
-  for (std::size_t c = 0; c < planned_.size(); ++c) {
-    const PlannedContact<D>& contact = planned_[c];
+  for (std::size_t c = 0; c < predicted_.size(); ++c) {
+    const PredictedContact<D>& contact = predicted_[c];
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const bool touches = rows[i].impulse > 0 || contact.gap[i] <= search_.reach(contact);
@@ -178,15 +178,15 @@ void RigidContacts<D>::set_targets() {
   }
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                \
-  template void RigidContacts<D>::add_support();                                            \
-  template void RigidContacts<D>::find_impacts(double, double);                             \
-  template double RigidContacts<D>::gap_floor(const PlannedContact<D>&, std::size_t) const; \
-  template void RigidContacts<D>::set_gap_targets(double);                                  \
-  template bool RigidContacts<D>::turns(std::int32_t) const;                                \
-  template void RigidContacts<D>::set_slip_targets(double);                                 \
-  template bool RigidContacts<D>::correct_targets(double);                                  \
-  template void RigidContacts<D>::set_velocity_targets();                                   \
+#define HALFSPACE_MEMBERS(D)                                                                  \
+  template void RigidContacts<D>::add_support();                                              \
+  template void RigidContacts<D>::find_impacts(double, double);                               \
+  template double RigidContacts<D>::gap_floor(const PredictedContact<D>&, std::size_t) const; \
+  template void RigidContacts<D>::set_gap_targets(double);                                    \
+  template bool RigidContacts<D>::turns(std::int32_t) const;                                  \
+  template void RigidContacts<D>::set_slip_targets(double);                                   \
+  template bool RigidContacts<D>::correct_targets(double);                                    \
+  template void RigidContacts<D>::set_velocity_targets();                                     \
   template void RigidContacts<D>::set_targets();
 HALFSPACE_MEMBERS(2)
 HALFSPACE_MEMBERS(3)

@@ -120,8 +120,8 @@ double ContinuousCollision<D>::safe_fraction_of(Candidate<D>& pair, double& stab
   const auto swing_by = [&](const Sweep<D>& sweep, std::size_t i) {
     return blocks_.radius[i] * (sweep.turn.norm() + sweep.stretch.norm());
   };
-  const double planned = (of_b.way - of_a.way).norm() + swing_by(of_a, a) + swing_by(of_b, b);
-  const double motion = std::max(planned, integrator_.duration() * blocks_.speed_between(pair.a, pair.b));
+  const double predicted = (of_b.way - of_a.way).norm() + swing_by(of_a, a) + swing_by(of_b, b);
+  const double motion = std::max(predicted, integrator_.duration() * blocks_.speed_between(pair.a, pair.b));
   const double thickness = blocks_.thinner(pair.a, pair.b);
   if (motion <= integrator_.duration() / clock_.time_step() * safe_thickness_fraction * thickness) return 1;
   pair_ = {pair.a, pair.b, motion / integrator_.duration(), thickness,

@@ -42,7 +42,7 @@ class Integrator {
         momentum_rate_(memory),
         next_rotation_(memory),
         any_moves_(memory),
-        planned_(memory),
+        predictions_(memory),
         samples_(memory) {}
 
   /// Computes the accelerations of all blocks from the last forces, and returns their energies. `noise`: the
@@ -202,7 +202,7 @@ class Integrator {
 
  private:
   /// The predicted motion of a chunk of blocks.
-  struct Plan {
+  struct Prediction {
     bool is_valid = true;
     bool needs_rebuild = false;
     bool goes_far = false;  // some block moves by more than its radius
@@ -233,9 +233,9 @@ class Integrator {
   }
   void take_kick(std::size_t block, EnergySample& sample);
   [[gnu::always_inline]] inline void accelerate_rigid(std::size_t block);
-  bool predict_block(std::size_t block, const Vector<D>& velocity, double turn, Plan& plan);
-  bool predict_motion_of(std::size_t block, Plan& plan);
-  bool predict_parts(Plan& plan);
+  bool predict_block(std::size_t block, const Vector<D>& velocity, double turn, Prediction& prediction);
+  bool predict_motion_of(std::size_t block, Prediction& prediction);
+  bool predict_parts(Prediction& prediction);
   Vector<D> predicted_displacement_of_part(std::size_t block) const;
   void announce_displacements();
   void follow_motion(const Part<D>& part);
@@ -250,7 +250,7 @@ class Integrator {
   Vector<D> affine_load(std::size_t block) const;
   Tensor<D> generalized_force(std::size_t block) const;
   void accelerate_affine(std::size_t block);
-  bool predict_affine(std::size_t block, Plan& plan);
+  bool predict_affine(std::size_t block, Prediction& prediction);
   void kick_and_drift_affine(std::size_t block);
   void sample_affine_energy(std::size_t block, const Vector<D>& opposed, const Tensor<D>& opposed_rate,
                             EnergySample& sample) const;
@@ -279,7 +279,7 @@ class Integrator {
   Array<Angular<D>> momentum_rate_;   // of the angular momentum
   Array<Rotation<D>> next_rotation_;  // predicted
   Array<std::uint8_t> any_moves_;     // per chunk of blocks; updated after an edit
-  Array<Plan> planned_;               // per chunk of blocks
+  Array<Prediction> predictions_;     // per chunk of blocks
   Array<EnergySample> samples_;       // likewise
   double duration_ = 0;               // of the predicted motion: a step or a part of it, s
   double longest_motion_ = 0;

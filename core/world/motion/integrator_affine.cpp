@@ -49,7 +49,7 @@ void Integrator<D>::accelerate_affine(std::size_t i) {
 
 /// False when the motion is not finite, or inverts or flattens the block.
 template <int D>
-bool Integrator<D>::predict_affine(std::size_t i, Plan& plan) {
+bool Integrator<D>::predict_affine(std::size_t i, Prediction& prediction) {
   const double half = 0.5 * duration_;
   const Deformation<D>& deformation = blocks_.deformation(i);
   Vector<D> velocity = blocks_.velocity[i] + half * acceleration_[i];
@@ -60,7 +60,7 @@ bool Integrator<D>::predict_affine(std::size_t i, Plan& plan) {
     const Tensor<D> next = deformation.gradient + change;
     if (!(next.determinant() > 0 && condition_of<D>(next) <= largest_condition)) return false;
   }
-  return predict_block(i, velocity, strain, plan);
+  return predict_block(i, velocity, strain, prediction);
 }
 
 /// First half of a step.

@@ -15,16 +15,16 @@ bool Integrator<D>::predict(double duration) {
   next_rotation_.resize(slots);
   samples_.reserve(chunk_count(slots, blocks_per_chunk));
   if (!meshes_.predict(duration)) return false;
-  sum_each_block(planned_, [&](std::size_t i, Plan& plan) {
-    plan.is_valid = plan.is_valid && predict_motion_of(i, plan);
+  sum_each_block(predictions_, [&](std::size_t i, Prediction& prediction) {
+    prediction.is_valid = prediction.is_valid && predict_motion_of(i, prediction);
   });
-  Plan all;
-  for (const Plan& plan : planned_) {
-    if (!plan.is_valid) return false;
-    all.needs_rebuild |= plan.needs_rebuild;
-    all.goes_far |= plan.goes_far;
-    all.longest_motion = std::max(all.longest_motion, plan.longest_motion);
-    all.max_rotation = std::max(all.max_rotation, plan.max_rotation);
+  Prediction all;
+  for (const Prediction& prediction : predictions_) {
+    if (!prediction.is_valid) return false;
+    all.needs_rebuild |= prediction.needs_rebuild;
+    all.goes_far |= prediction.goes_far;
+    all.longest_motion = std::max(all.longest_motion, prediction.longest_motion);
+    all.max_rotation = std::max(all.max_rotation, prediction.max_rotation);
   }
   if (!predict_parts(all)) return false;
   longest_motion_ = all.longest_motion;
@@ -35,21 +35,21 @@ bool Integrator<D>::predict(double duration) {
 }
 
 template <int D>
-bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
+bool Integrator<D>::predict_motion_of(std::size_t i, Prediction& prediction) {
   if (blocks_.is_part(i) || share_.is_idle(i)) return true;  // parts follow their compound
   if (sleep_.is_asleep(i)) {
     next_rotation_[i] = blocks_.rotation[i];
-    return predict_block(i, Vector<D>::Zero(), 0, plan);
+    return predict_block(i, Vector<D>::Zero(), 0, prediction);
   }
   const double half = 0.5 * duration_;
   Vector<D> velocity = blocks_.velocity[i];
   Angular<D> spin = blocks_.spin[i];
   switch (blocks_.kind[i]) {
     case BlockKind::affine:
-      return predict_affine(i, plan);
+      return predict_affine(i, prediction);
     case BlockKind::mesh:
       return predict_block(i, meshes_.predicted_displacement(i) / duration_,
-                           meshes_.predicted_stretch(i).norm(), plan);
+                           meshes_.predicted_stretch(i).norm(), prediction);
     case BlockKind::rigid: {
       velocity += half * acceleration_[i];
       Angular<D> momentum = blocks_.momentum[i] + half * momentum_rate_[i];
@@ -71,19 +71,19 @@ bool Integrator<D>::predict_motion_of(std::size_t i, Plan& plan) {
       return true;
   }
   const double turn = std::max(duration_ * spin.norm(), next_rotation_[i].farthest_from(blocks_.rotation[i]));
-  return predict_block(i, velocity, turn, plan);
+  return predict_block(i, velocity, turn, prediction);
 }
 
 /// Parts move with their compounds, whose motion has been predicted.
 template <int D>
-bool Integrator<D>::predict_parts(Plan& plan) {
+bool Integrator<D>::predict_parts(Prediction& prediction) {
   for (const Part<D>& part : blocks_.compounds().parts()) {
     const std::size_t p = std::size_t(part.block), c = std::size_t(part.compound);
     if (!blocks_.moves(c)) continue;
     next_rotation_[p] = next_rotation_[c] * part.pose.rotation;
     const double turn =
         std::max(predicted_turn(c).norm(), next_rotation_[c].farthest_from(blocks_.rotation[c]));
-    if (!predict_block(p, predicted_displacement(p) / duration_, turn, plan)) return false;
+    if (!predict_block(p, predicted_displacement(p) / duration_, turn, prediction)) return false;
   }
   return true;
 }
@@ -91,13 +91,14 @@ bool Integrator<D>::predict_parts(Plan& plan) {
 /// Announces the maximum displacement of a block. `turn`: its rotation or change of gradient. False when not
 /// finite.
 template <int D>
-bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, double turn, Plan& plan) {
+bool Integrator<D>::predict_block(std::size_t i, const Vector<D>& velocity, double turn,
+                                  Prediction& prediction) {
   const double motion = duration_ * velocity.norm() + blocks_.radius[i] * turn;
   if (!std::isfinite(motion)) return false;
-  if (!blocks_.is_compound(i)) plan.needs_rebuild |= neighbors_.announce(blocks_, i, motion);
-  plan.goes_far |= motion > blocks_.radius[i];
-  plan.max_rotation = std::max(plan.max_rotation, turn);
-  plan.longest_motion = std::max(plan.longest_motion, motion);
+  if (!blocks_.is_compound(i)) prediction.needs_rebuild |= neighbors_.announce(blocks_, i, motion);
+  prediction.goes_far |= motion > blocks_.radius[i];
+  prediction.max_rotation = std::max(prediction.max_rotation, turn);
+  prediction.longest_motion = std::max(prediction.longest_motion, motion);
   return true;
 }
 
@@ -155,16 +156,16 @@ Vector<D> Integrator<D>::predicted_velocity(const MaterialPoint<D>& point) const
   return way / duration_;
 }
 
-#define HALFSPACE_MEMBERS(D)                                                                \
-  template bool Integrator<D>::predict(double);                                             \
-  template bool Integrator<D>::predict_motion_of(std::size_t, Plan&);                       \
-  template bool Integrator<D>::predict_block(std::size_t, const Vector<D>&, double, Plan&); \
-  template void Integrator<D>::announce_displacements();                                    \
-  template bool Integrator<D>::predict_parts(Plan&);                                        \
-  template Vector<D> Integrator<D>::predicted_displacement_of_part(std::size_t) const;      \
-  template Vector<D> Integrator<D>::predicted_displacement(std::size_t) const;              \
-  template Tensor<D> Integrator<D>::predicted_stretch(std::size_t) const;                   \
-  template Angular<D> Integrator<D>::predicted_turn(std::size_t) const;                     \
+#define HALFSPACE_MEMBERS(D)                                                                      \
+  template bool Integrator<D>::predict(double);                                                   \
+  template bool Integrator<D>::predict_motion_of(std::size_t, Prediction&);                       \
+  template bool Integrator<D>::predict_block(std::size_t, const Vector<D>&, double, Prediction&); \
+  template void Integrator<D>::announce_displacements();                                          \
+  template bool Integrator<D>::predict_parts(Prediction&);                                        \
+  template Vector<D> Integrator<D>::predicted_displacement_of_part(std::size_t) const;            \
+  template Vector<D> Integrator<D>::predicted_displacement(std::size_t) const;                    \
+  template Tensor<D> Integrator<D>::predicted_stretch(std::size_t) const;                         \
+  template Angular<D> Integrator<D>::predicted_turn(std::size_t) const;                           \
   template Vector<D> Integrator<D>::predicted_velocity(const MaterialPoint<D>&) const;
 
 HALFSPACE_MEMBERS(2)
