@@ -83,7 +83,7 @@ std::unique_ptr<World<3>> busy_world(Memory* memory) {
   for (int i = 0; i < 150; ++i) REQUIRE(world->step() == StepResult::ok);
   world->remove_block(gone);
   for (int i = 0; i < 50; ++i) REQUIRE(world->step() == StepResult::ok);
-  REQUIRE(world->contact_count() >= 5);
+  REQUIRE(world->state().contacts.count() >= 5);
   return world;
 }
 

@@ -105,9 +105,9 @@ struct RepeatFreeSlot {
 
 TEST_CASE("a world whose parts do not fit together is seen to be none") {
   const auto world = small_world();
-  REQUIRE(world->is_consistent());
-  NeighborList<3>& candidates = const_cast<NeighborList<3>&>(world->candidates());
-  Blocks<3>& blocks = const_cast<Blocks<3>&>(world->blocks());
+  REQUIRE(world->state().is_consistent());
+  NeighborList<3>& candidates = world->state().contacts.neighbors();
+  Blocks<3>& blocks = world->state().model.blocks;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
   SECTION("a list of neighbours that does not know the blocks, of a world that is about to step") {
@@ -130,13 +130,13 @@ TEST_CASE("a world whose parts do not fit together is seen to be none") {
     blocks.rotation[1] = Rotation<3>::from_axes({1, 0, 0}, {1, 0, 0}, {0, 0, 1});
   }
   SECTION("a block without size") { blocks.radius[1] = nan; }
-  CHECK(!world->is_consistent());
+  CHECK(!world->state().is_consistent());
 }
 
 TEST_CASE("bonds that do not fit together are seen to be none") {
   const auto world = world_of_failed_bond();
-  REQUIRE(world->is_consistent());
-  Bonds<3>& bonds = const_cast<Bonds<3>&>(world->bonds());
+  REQUIRE(world->state().is_consistent());
+  Bonds<3>& bonds = world->state().model.blocks.bonds();
   REQUIRE(!bonds.events().empty());
   BondEvent<3>& event = const_cast<BondEvent<3>&>(bonds.events()[0]);
 
@@ -150,5 +150,5 @@ TEST_CASE("bonds that do not fit together are seen to be none") {
     bond.is_joint = 0;
     bond.hands_over = 1;
   }
-  CHECK(!world->is_consistent());
+  CHECK(!world->state().is_consistent());
 }

@@ -10,35 +10,51 @@ void ContactStage<D>::fit_room() {
   sums_.reserve(chunk_count(state_.contacts.neighbors().room(), pairs_per_chunk));
 }
 
-/// Calls `visit(chunk, sums)` for all pairs in the neighbour list.
+/// Calls `visit(chunk, sums)` for all pairs in the neighbour list, unless no law has springs.
 template <int D>
 template <class Visit>
 void ContactStage<D>::pass_over_pairs(Visit visit) {
-  const std::size_t pairs = state_.contacts.neighbors().pairs().size();
+  const bool any_spring =
+      state_.model.materials.laws().any([](const ContactLaw& law) { return !law.has_no_spring(); });
+  const std::size_t pairs = any_spring ? state_.contacts.neighbors().pairs().size() : 0;
   sum_each_chunk(state_.threads, pairs, pairs_per_chunk, sums_, visit);
+}
+
+/// True where pairs need not be asked one by one: all have springs, none sleeps, and all count here.
+template <int D>
+bool ContactStage<D>::asks_no_pair() const {
+  return !state_.hard_contacts.is_used() && !state_.sleep.any() && state_.share.is_whole();
+}
+
+/// True for a pair that has no spring, that sleeps, which stays as it was, or that other shares follow.
+template <int D>
+bool ContactStage<D>::leaves_out(std::size_t k, const Chunk& chunk, PairSums& sums) {
+  const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
+  if (state_.model.law_of(pair).has_no_spring()) return true;
+  if (state_.sleep.leaves_out(pair)) {
+    state_.contacts.keep_as_it_was(k, chunk.begin, sums);
+    return true;
+  }
+  return !state_.share.follows(pair);
 }
 
 /// Finds the contacts of a chunk of pairs. Calls `on_contact(k, contact)` for each that existed before, with
 /// the contact computed if is_described().
 template <int D>
-template <class OnContact>
+template <bool asks, class OnContact>
 void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
   Array<Candidate<D>>& pairs = state_.contacts.neighbors().pairs();
   Contact<D> contact;
-  const bool some_have_no_spring = state_.hard_contacts.is_used();
+  const bool any_per_area = state_.model.materials.laws().knows_per_area();
   for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-    if (some_have_no_spring && state_.model.law_of(pairs[k]).has_no_spring()) continue;
-    if (state_.sleep.leaves_out(pairs[k])) {
-      state_.contacts.keep_as_it_was(k, chunk.begin, sums);
-      continue;
-    }
-    if (!state_.share.follows(pairs[k])) continue;
+    if (asks && leaves_out(k, chunk, sums)) continue;
     const double released = sums.released;
     const Found found = state_.contacts.find(k, contact, sums);
-    if (!state_.share.counts(pairs[k])) sums.released = released;
+    if (asks && !state_.share.counts(pairs[k])) sums.released = released;
     if (found == Found::apart) continue;
-    const bool loads_own = state_.share.loads(pairs[k]);
-    const bool is_pressed = state_.model.law_of(pairs[k]).is_per_area();  // finds its face by its energy
+    const bool loads_own = !asks || state_.share.loads(pairs[k]);
+    // A law per area finds its face by its energy.
+    const bool is_pressed = any_per_area && state_.model.law_of(pairs[k]).is_per_area();
     if (found == Found::met && is_pressed && loads_own)
       sums.max_penetration_ratio =
           std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pairs[k]));
@@ -52,6 +68,13 @@ void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, O
     if (loads_own) state_.contacts.keep(k, chunk.begin, contact, sums);
     if (loads_own || pairs[k].bonded) on_contact(k, contact);
   }
+}
+
+template <int D>
+template <class OnContact>
+void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
+  asks_no_pair() ? find_in<false>(chunk, made, sums, on_contact)
+                 : find_in<true>(chunk, made, sums, on_contact);
 }
 
 /// Determines the entry faces of pairs that have met.
@@ -118,11 +141,11 @@ void ContactStage<D>::find() {
 template <int D>
 [[gnu::always_inline]] inline bool ContactStage<D>::load_pair(std::size_t k, const Contact<D>& contact,
                                                               Evaluation& evaluation) {
+  if (state_.share.is_whole()) return state_.forces.load(k, contact, evaluation);
   const ContactEnergy energy = evaluation.energy;
   const std::int32_t last_block = evaluation.last_block;
   const double peak_overlap = evaluation.peak_overlap;
   const bool is_loaded = state_.forces.load(k, contact, evaluation);
-  if (state_.share.is_whole()) return is_loaded;
   const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
   if (!state_.share.counts(pair)) evaluation.energy = energy;
   if (!state_.share.loads(pair)) {

@@ -29,6 +29,10 @@ class ContactStage {
   using Evaluation = typename ForcePass<D>::Evaluation;
   static constexpr std::uint64_t none = ~std::uint64_t(0);
 
+  bool asks_no_pair() const;
+  bool leaves_out(std::size_t k, const Chunk& chunk, PairSums& sums);
+  template <bool asks, class OnContact>
+  void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
   template <class OnContact>
   void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
   template <class Visit>
