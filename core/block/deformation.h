@@ -8,6 +8,7 @@
 #include "geometry/numbers.h"
 #include "geometry/rotation.h"
 #include "geometry/shape.h"
+#include "geometry/tolerances.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -118,7 +119,7 @@ inline Rotation<2> rotation_of(const Tensor<2>& gradient) {
 /// iteration (Higham 1986).
 inline Rotation<3> rotation_of(const Tensor<3>& gradient) {
   Tensor<3> turn = gradient;
-  for (double change = 1; change > 1e-9;) {
+  for (double change = 1; change > converged_change;) {
     const Tensor<3> next = 0.5 * (turn + turn.inverse().transpose());
     change = (next - turn).norm();
     turn = next;

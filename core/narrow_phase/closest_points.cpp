@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/plane/posed_pair.h"
 #include "narrow_phase/plane/separation.h"
 #include "narrow_phase/plane/vertex_edge_distance.h"
@@ -155,7 +155,6 @@ struct Found {
 
 template <int D, class Difference>
 Found find_nearest(const Difference& difference, const Vector<3>& start) {
-  constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
   Corner corner = difference.deepest_along(start, {start, 0, 0});
   Found found;
   Simplex& simplex = found.simplex;
@@ -166,7 +165,7 @@ Found find_nearest(const Difference& difference, const Vector<3>& start) {
     corner = difference.deepest_along(normal, corner);
     found.size = std::max(found.size, corner.at.norm());
     const double progress = normal.dot(newest_of(simplex) - corner.at);
-    if (progress <= rounding * found.size || simplex.has(corner)) break;
+    if (progress <= 2 * machine_epsilon * found.size || simplex.has(corner)) break;
     Simplex next = simplex;
     next.add(corner);
     if (!(next.nearest.squaredNorm() < simplex.nearest.squaredNorm())) break;  // to rounding
@@ -204,9 +203,8 @@ ClosestPoints<D> find_closest_points(const PosedPair<D>& posed, Memory* room) {
     normal = normal_of<D>(simplex);
     distance = normal.dot(newest_of(simplex));
   }
-  // Close blocks: detection decides whether they touch. Simplices of slivers in the plane have large errors.
-  constexpr double nearly = D == 2 ? 0x1p-16 : 0x1p-40;
-  if (distance <= nearly * size) {
+  // Close blocks: detection decides whether they touch. Simplices of slivers have large errors.
+  if (distance <= sure_distance * size) {
     const Detected detected = detect(posed, frames, room);
     if (!(detected.gap > 0)) return closest;
     if constexpr (D == 2) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/outline.h"
+#include "geometry/tolerances.h"
 #include "narrow_phase/contact.h"
 #include "narrow_phase/plane/separation.h"
 #include "narrow_phase/space/pair.h"
@@ -50,7 +51,7 @@ inline bool still_touching(const Outline<2>& a, const Outline<2>& b, const Vecto
   const Vector<2> normal = owner.block.normal(edge), to_other = owner.sign * to_b;
   const Vector<2> start = owner.block.vertex(edge), end = owner.block.vertex(owner.block.next(edge));
   const double rise = normal.dot(to_other);
-  if (!(rise > 0x1p-52 * to_other.cwiseAbs().maxCoeff())) return false;
+  if (!(rise > machine_epsilon * to_other.cwiseAbs().maxCoeff())) return false;
   for (const int v : {deepest, owner.other.next(deepest), owner.other.previous(deepest)}) {
     const double depth = -edge_gap(owner.block, edge, owner.other, v, to_other);
     const Vector<2> on_edge = owner.other.vertex(v) + (1 + depth / rise) * to_other;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "geometry/outline.h"
+#include "geometry/tolerances.h"
 #include "geometry/vector.h"
 
 namespace halfspace {
@@ -38,7 +38,7 @@ bool meets(const Ray<D>& ray, const Outline<D>& block, RayHit& hit) {
   for (int f = 0; f < block.face_count(); ++f) {
     const Vector<D> normal = block.normal(f);
     const double height = normal.dot(ray.origin) - block.offset[f], speed = normal.dot(ray.direction);
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * (reach + std::abs(block.offset[f]));
+    const double rounding = 4 * machine_epsilon * (reach + std::abs(block.offset[f]));
     if (speed == 0) {
       if (height > rounding) return false;
       continue;

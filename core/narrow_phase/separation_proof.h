@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/posed_pair.h"
 #include "simd/two_lanes.h"
 
@@ -39,7 +40,7 @@ double reach_of(const PosedPair<D>& posed, const double normal[3], double gap) {
   const double radii = posed.a.bounding_radius() + posed.b.bounding_radius();
   const TwoLanes way = abs(load_two(b) - load_two(a));
   const double size = radii + way[0] + way[1] + (D == 2 ? 0 : std::abs(b[2] - a[2]));
-  const double reach = distance_along(normal, posed) - gap + 0x1p-48 * size;
+  const double reach = distance_along(normal, posed) - gap + place_rounding * size;
   return std::min(reach, (1 + largest_fault) * radii);
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/moving_block.h"
 #include "narrow_phase/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
@@ -62,9 +62,9 @@ class MovingPair {
         to_b_(sweep_of_b.position - sweep_of_a.position),
         way_(sweep_of_b.way - sweep_of_a.way) {
     // Each gap is a sum of about ten products per component, each with an error of a few ulps.
-    constexpr double unit = 64 * std::numeric_limits<double>::epsilon();
-    rounding_ = unit * (to_b_.norm() + way_.norm() + a_.reach().radius * (1 + a_.angle()) +
-                        b_.reach().radius * (1 + b_.angle()));
+    rounding_ = 64 * machine_epsilon *
+                (to_b_.norm() + way_.norm() + a_.reach().radius * (1 + a_.angle()) +
+                 b_.reach().radius * (1 + b_.angle()));
   }
 
   Impact<D> find() {
@@ -94,7 +94,7 @@ class MovingPair {
 
   /// The time span in which the bounding spheres overlap.
   Span when_within_reach() const {
-    const double radius = (1 + 1e-9) * (a_.reach().radius + b_.reach().radius) + rounding_;
+    const double radius = bound_margin * (a_.reach().radius + b_.reach().radius) + rounding_;
     const double square = way_.squaredNorm(), along = to_b_.dot(way_);
     if (!(square > 0)) return {0, to_b_.norm() > radius ? -1.0 : 1.0};
     const Vector<D> nearest = to_b_ - along / square * way_;
@@ -133,7 +133,7 @@ class MovingPair {
   /// Bound of the gap's second derivative along a normal.
   double bend(const Angular<D>& turn, double last) const {
     const double speed = turn.norm(), farthest = std::max(to_b_.norm(), to_b_at(last).norm());
-    return (1 + 1e-9) *
+    return bound_margin *
            (a_.bend(turn) + b_.bend(turn) + 2 * swept(turn, way_).norm() + speed * speed * farthest);
   }
 

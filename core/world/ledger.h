@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/tolerances.h"
+
 namespace halfspace {
 
 /// Energies, losses and external work, J; in 2D per unit thickness.
@@ -115,7 +117,7 @@ class EnergyLedger {
     const double made = entries_.residual(),
                  stored = entries_.kinetic + entries_.strain + entries_.block_strain;
     const double present = stored + entries_.losses();
-    return stored != 0 && !(made <= 0.995 * present || made <= noise_energy_);
+    return stored != 0 && !(made <= created_ratio * present || made <= noise_energy_);
   }
 
   /// State that is written before a motion.

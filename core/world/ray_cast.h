@@ -1,6 +1,7 @@
 #pragma once
 
 #include "block/blocks.h"
+#include "geometry/tolerances.h"
 #include "narrow_phase/ray.h"
 
 namespace halfspace {
@@ -17,7 +18,7 @@ bool meets_sphere(const Ray<D>& ray, double radius, double distance) {
   const double along = -ray.origin.dot(ray.direction);
   const Vector<D> nearest = ray.origin + std::clamp(along, 0.0, distance) * ray.direction;
   // The radius is larger by rounding at this distance, as rays that touch a block hit it.
-  const double reach = radius + 16 * std::numeric_limits<double>::epsilon() * ray.origin.norm();
+  const double reach = radius + place_rounding * ray.origin.norm();
   return nearest.squaredNorm() <= reach * reach;
 }
 

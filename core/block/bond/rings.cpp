@@ -6,12 +6,10 @@
 #include "block/bond/common_face.h"
 #include "block/bond/pair_key.h"
 #include "geometry/numbers.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
-
-/// Points of bonds within this fraction of the smaller block's radius coincide.
-constexpr double corner_reach = 1e-4;
 
 /// A direction to which few edges and faces of regular bodies are normal.
 template <int D>

@@ -38,9 +38,8 @@ template <int D, class Sides>
 PressureFace<D> least_face(const PlacedOutline<D> (&blocks)[2], const PressureFace<D>& first,
                            const Sides& sides, const Vector<D>& centroid) {
   PressureFace<D> least = first;
-  constexpr double of_flush = 2e-9, of_depth = 1e-6;  // that may be rounding
   double depth = first.depth(centroid);
-  depth -= std::min(of_flush * first.flush, of_depth * std::abs(depth));
+  depth -= std::min(same_face * first.flush, equal_within * std::abs(depth));
   for (const auto& side : sides) {
     const PressureFace<D> face = face_of(blocks[side.block], side.face);
     const double depth_here = face.depth(centroid);
@@ -54,7 +53,7 @@ PressureFace<D> least_face(const PlacedOutline<D> (&blocks)[2], const PressureFa
 /// Do two faces look the same way, up to rounding?
 template <int D>
 bool are_parallel(const Vector<D>& normal, const Vector<D>& other) {
-  return normal.dot(other) >= 1 - 0.5 * touch_reach * touch_reach;
+  return normal.dot(other) >= 1 - 0.5 * strictly_parallel * strictly_parallel;
 }
 
 /// The part of a side on which the owner of the contact face keeps the pressure from the other block: a side

@@ -204,7 +204,7 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   Shear<D> force = stuck;
   const bool slides = wanted > limit;
   // Within the limit at rounding, too: a force that is evaluated again is the same.
-  if (slides) force *= (1 - 0x1p-51) * limit / wanted;
+  if (slides) force *= (1 - 2 * machine_epsilon) * limit / wanted;
 
   // Work that the spring does not store is lost.
   if (spring.stiffness == preloaded) spring.stiffness = stiffness;

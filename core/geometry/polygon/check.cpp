@@ -7,6 +7,7 @@
 #include "geometry/box.h"
 #include "geometry/numbers.h"
 #include "geometry/orientation.h"
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
@@ -32,7 +33,7 @@ FaultReport first_repeated(std::span<const Vector<2>> vertices) {
 }
 
 // Shorter edges have no accurate length and normal, as their components are subnormal.
-constexpr double shortest_edge = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+constexpr double shortest_edge = std::numeric_limits<double>::min() / machine_epsilon;
 
 FaultReport first_too_short(std::span<const Vector<2>> vertices) {
   const std::size_t n = vertices.size();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polygon/clip.h"
 #include "geometry/polygon/hull.h"
+#include "geometry/tolerances.h"
 #include "geometry/unit_vector.h"
 
 namespace halfspace {
@@ -33,7 +33,7 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
     reach = std::max(reach, from_point.cwiseAbs().maxCoeff() + vertices[i].cwiseAbs().maxCoeff());
   }
   // Coordinates have an error of half an ulp, the dot product two more: a vertex within this is on the line.
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * reach;
+  const double rounding = 8 * machine_epsilon * reach;
   for (double& h : heights) {
     if (std::abs(h) <= rounding) h = 0;
   }

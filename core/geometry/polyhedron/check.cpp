@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/box.h"
 #include "geometry/polyhedron/facets.h"
 #include "geometry/polyhedron/support_tree.h"
 #include "geometry/polyhedron/surface.h"
 #include "geometry/polyhedron/topology.h"
+#include "geometry/tolerances.h"
 #include "geometry/unit_vector.h"
 
 namespace halfspace {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Second moments grow with the fifth power of the size: within these limits neither they nor their products
 // with a density overflow or underflow.
@@ -131,7 +129,7 @@ PolyhedronFault first_parallel_neighbours(const Polyhedron& p) {
     // Each component of a unit normal has an error of about one ulp.
     const Vector<3>& a = p.normals[std::size_t(face)];
     const Vector<3>& b = p.normals[std::size_t(neighbour)];
-    return a.dot(b) > 0 && cross_product(a, b).norm() <= 4 * epsilon;
+    return a.dot(b) > 0 && cross_product(a, b).norm() <= 4 * machine_epsilon;
   });
 }
 
@@ -156,7 +154,7 @@ PolyhedronFault fit_normals(Polyhedron& p) {
     for (std::size_t i = 1; i < p.loop(f).size(); ++i)
       longest = std::max(longest, (p.corner(f, i) - p.corner(f, 0)).squaredNorm());
     // A face narrower than a few ulps of its length has no normal.
-    if (area.norm() <= 8 * epsilon * longest) return {Fault::face_without_area, -1, f};
+    if (area.norm() <= 8 * machine_epsilon * longest) return {Fault::face_without_area, -1, f};
     p.normals.push_back((area / power_of_two_in(area)).normalized());
   }
   return {};
@@ -171,9 +169,9 @@ PolyhedronFault complete_faces(Polyhedron& p) {
 
 }  // namespace
 
-double flatness_tolerance(double reach) { return 256 * epsilon * reach; }
+double flatness_tolerance(double reach) { return 256 * machine_epsilon * reach; }
 
-double coplanarity_tolerance(double reach) { return 16 * epsilon * reach; }
+double coplanarity_tolerance(double reach) { return place_rounding * reach; }
 
 PolyhedronFault check_points(std::span<const Vector<3>> points) {
   if (points.size() < 4) return {Fault::fewer_than_four, -1, -1};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/polyhedron/check.h"
 #include "geometry/polyhedron/simplify.h"
 #include "geometry/polyhedron/topology.h"
+#include "geometry/tolerances.h"
 #include "geometry/unit_vector.h"
 
 // A plane cuts a polyhedron into two parts:
@@ -71,7 +71,7 @@ class Part {
     for (std::int32_t f = 0; f < topology_.face_count; ++f) keep_inside_of_face(f);
     if (!close()) return nothing(fault, Fault::not_one_surface);
     // Edges at a small angle may have crossings that coincide to rounding.
-    weld_short_edges(part_, 4 * std::numeric_limits<double>::epsilon() * section_.reach);
+    weld_short_edges(part_, 4 * machine_epsilon * section_.reach);
     const PolyhedronFault report = check_polyhedron(part_);
     if (report.fault != Fault::none) return nothing(fault, report.fault);
     return std::move(part_);

@@ -3,7 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
@@ -61,7 +62,7 @@ class LargestSphere {
 
   /// Returns the number of planes when the sphere is behind all of them to rounding.
   std::size_t most_violated() const {
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * sphere_.cwiseAbs().maxCoeff();
+    const double rounding = place_rounding * sphere_.cwiseAbs().maxCoeff();
     std::size_t worst = planes_.size();
     double most = rounding;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
@@ -80,7 +81,7 @@ class LargestSphere {
     int leaving = -1;
     double least = HUGE_VAL;
     for (int i = 0; i < 4; ++i) {
-      if (rates[i] <= smallest_pivot) continue;
+      if (rates[i] <= singular_pivot) continue;
       const double ratio = std::max(weights[i], 0.0) / rates[i];
       if (ratio >= least) continue;
       least = ratio;
@@ -95,10 +96,6 @@ class LargestSphere {
       least = std::min(least, plane.offset - plane.normal.dot(sphere_.head<3>()));
     return least;
   }
-
-  /// Half the digits of a double. Between opposite, nearly parallel planes a rate is 0 to rounding, and a
-  /// basis with that pivot would be singular.
-  static constexpr double smallest_pivot = 0x1p-26;
 
   Array<Halfspace<3>> planes_;  // the caller's, then the tetrahedron's
   std::size_t touched_[4];

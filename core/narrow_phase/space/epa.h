@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/simplex.h"
 #include "simd/indexed_lanes.h"
 
@@ -123,7 +123,7 @@ template <class Four>
 inline ExpandingPolytope<Four>::ExpandingPolytope(const Corner* tetrahedron) {
   double size = 0;
   for (int i = 0; i < 4; ++i) size = std::max(size, tetrahedron[i].at.cwiseAbs().maxCoeff());
-  rounding_ = 8 * std::numeric_limits<double>::epsilon() * size;
+  rounding_ = 8 * machine_epsilon * size;
   // Counter-clockwise seen from outside when corner 3 is behind the plane of the others.
   const Vector<3> base = tetrahedron[0].at;
   const double volume =

@@ -1,10 +1,10 @@
 #include "narrow_phase/space/gjk_epa.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/rotation.h"
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/epa.h"
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
@@ -50,7 +50,7 @@ struct FoundFacet {
   /// Is the corner also the deepest along a unit normal that equals the facet's to rounding? Any other is
   /// deeper by at most this fraction of the difference's size.
   bool is_corner_deepest_along(const Vector<3>& other) const {
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 64 * machine_epsilon;
     return is_proven && (other - normal).squaredNorm() <= rounding * rounding;
   }
 };
@@ -109,10 +109,9 @@ struct FacetVertices {
 
 /// Are both faces at an edge oblique to a direction? If not, a face may lie in the plane and has priority.
 bool is_sharp(const Outline<3>& block, int edge, const Vector<3>& along) {
-  constexpr double in_plane = 1 - 1e-9;  // cosine of an angle far above rounding, far below relevant angles
   const Topology& topology = *block.topology;
-  return block.normal(topology.edge_left[edge]).dot(along) < in_plane &&
-         block.normal(topology.edge_right[edge]).dot(along) < in_plane;
+  return block.normal(topology.edge_left[edge]).dot(along) < in_plane_cosine &&
+         block.normal(topology.edge_right[edge]).dot(along) < in_plane_cosine;
 }
 
 /// The potential pair of the facet with three given corners: a face of either block at those vertices, or an
@@ -249,8 +248,7 @@ template <class Four, class Turn>
     const bool is_facet = polytope.is_behind_nearest(c.at);
     if (is_facet || !polytope.expand(c)) {
       const Separation<3> found = pair_at(difference, polytope, is_facet);
-      constexpr double may_be_turned = 1e8;  // error of a sliver's plane, in rounding errors of its corners
-      const bool is_final = is_facet && found.gap <= -may_be_turned * polytope.rounding();
+      const bool is_final = is_facet && found.gap <= -sliver_rounding * polytope.rounding();
       if (is_final) return found;
       // The walk is local: among many sides of nearly the same depth, the minimum may be far away.
       return refined(difference, is_facet ? found : least_deep_of_faces(difference, found));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/manifold_edges.h"
 #include "narrow_phase/space/manifold_faces.h"
 #include "narrow_phase/space/witness.h"
@@ -31,10 +32,9 @@ double squared_reach(const Block& block, int vertex, const Vector<3>& normal, do
   const Topology& topology = *own.topology;
   const Vector<3>& upward = in_frame_of(block, normal);
   const Vector<3> from = own.vertex(vertex);
-  constexpr double margin = 1.001;
-  const double steep = margin * options.region_angle() * options.region_angle();
-  const double tilted = margin * options.parallel_angle * options.parallel_angle;
-  const double depth = margin * std::max(-gap, 0.0);
+  const double steep = proof_margin * options.region_angle() * options.region_angle();
+  const double tilted = proof_margin * options.parallel_angle * options.parallel_angle;
+  const double depth = proof_margin * std::max(-gap, 0.0);
   double reach = 0;
   for (int k = topology.first_of_vertex[vertex]; k < topology.first_of_vertex[vertex + 1]; ++k) {
     const Vector<3> along = own.vertex(topology.vertex_neighbour[k]) - from;

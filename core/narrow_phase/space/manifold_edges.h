@@ -37,8 +37,9 @@ struct MeetingEdges {
     const double least_of_b = std::min(sense * b_left, -sense * b_right);
     const double a_square = a.along.squaredNorm(), b_square = b.along.squaredNorm();
     const double area_square = parallelogram.square;
-    const double steep =
-        1.001 * std::max(region_angle * region_angle, strictly_parallel * strictly_parallel) * area_square;
+    const double steep = proof_margin *
+                         std::max(region_angle * region_angle, strictly_parallel * strictly_parallel) *
+                         area_square;
     return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
            least_of_b * least_of_b * b_square > steep &&
            !are_all_but_parallel(area_square, a_square, b_square);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/contact_plane.h"
 #include "narrow_phase/space/face_overlap.h"
 #include "narrow_phase/space/pair.h"
@@ -29,7 +29,7 @@ struct FlatFaceVertex : FaceVertex<SeenOutline> {
     double reach = to_other.cwiseAbs().maxCoeff();
     for (int i = 0; i < polygon.count(); ++i)
       reach = std::max(reach, owner.vertex(polygon.vertex(i)).cwiseAbs().maxCoeff());
-    return 16 * std::numeric_limits<double>::epsilon() * reach;
+    return place_rounding * reach;
   }
 };
 

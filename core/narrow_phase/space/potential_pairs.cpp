@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
 
 /// Rounding error of the height difference of two vertices along a unit normal.
 double rounding_between(const Vector<3>& from, const Vector<3>& to) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  return 4 * epsilon * (from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff());
+  return 4 * machine_epsilon * (from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff());
 }
 
 PotentialPair<3> face_pair(int owner, int face, int vertex) {

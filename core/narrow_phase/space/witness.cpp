@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 #include "simd/four_lanes.h"
@@ -14,7 +15,7 @@ namespace {
 /// Is a height along a unit normal above rounding? A quotient by a smaller height is meaningless or
 /// overflows.
 bool is_told_from_0(double height, const Vector<3>& way) {
-  return height > 0x1p-52 * way.cwiseAbs().maxCoeff();
+  return height > machine_epsilon * way.cwiseAbs().maxCoeff();
 }
 
 /// Does the line through the other's vertex, parallel to that between the centroids, meet the face in front

@@ -3,14 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "geometry/tolerances.h"
+
 namespace halfspace {
-namespace {
-
-/// A joint that has slid farther than this fraction of its extent is replaced by contact, which computes the
-/// current overlap of the faces.
-constexpr double slip_of_contact = 0.1;
-
-}  // namespace
 
 /// The mean of the face normals in both blocks, so that the result does not depend on their order.
 template <int D>
@@ -116,7 +111,7 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
       load_point(std::int64_t(which), number++, at, point, load, hold, energy);
     load_blocks(bond, load);
     has_broken = has_broken || hold.has_broken;
-    if (hold.is_closed && hold.least_slip <= slip_of_contact * bond.extent) continue;
+    if (hold.is_closed && hold.least_slip <= slid_joint * bond.extent) continue;
     bond.is_joint = 0;
     bond.hands_over = 1;
     has_come_apart = true;

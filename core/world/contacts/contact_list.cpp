@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <utility>
 
 #include "geometry/tolerances.h"
@@ -16,7 +15,7 @@ namespace {
 /// and one vertex count. Centroids, normal and gap add fewer than four more.
 double rounding_of_touch(double reach_of_a, double reach_of_b) {
   constexpr double roundings = 3 * 3 * 1.41421356237309505 + 4;
-  constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = 0.5 * machine_epsilon;
   return roundings * rounding * std::max(reach_of_a, reach_of_b);
 }
 

@@ -2,20 +2,11 @@
 
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/pair.h"
 #include "narrow_phase/space/potential_pairs.h"
 
 namespace halfspace {
-namespace {
-
-/// Surfaces are flush when they differ by at most this fraction of the smaller radius: files round their
-/// coordinates, and supports deflect.
-constexpr double flush = 1e-3;
-
-/// Minimum cosine of the angle between the lift and the normal of an entry face that it reveals.
-constexpr double least_cosine = 0.5;
-
-}  // namespace
 
 /// From the third block to the lifted one.
 template <int D>
@@ -36,11 +27,11 @@ typename Entrances<D>::Way Entrances<D>::way_along(const Candidate<D>& met, cons
   const double entrance_cosine = normal_of(at.a, at.b, met.witness.pair).dot(normal);
   const auto is_another_way = [&](const PotentialPair<D>& pair) {
     const double cosine = normal_of(at.a, at.b, pair).dot(normal);
-    return cosine >= least_cosine && cosine > entrance_cosine;
+    return cosine >= revealed_cosine && cosine > entrance_cosine;
   };
   PotentialPair<D> pair = pair_along(at.a, at.b, at.to_b, normal);
   const double gap = refresh(at.a, at.b, at.to_b, pair);
-  if (gap >= -flush * smaller_radius(met) && is_another_way(pair)) return {pair, gap};
+  if (gap >= -nearly_flush * smaller_radius(met) && is_another_way(pair)) return {pair, gap};
   const Separation<D> apart = find_largest_separation(at.a, at.b, at.to_b);
   if (!(apart.gap > 0)) return {};
   pair = initial_pair(at.a, at.b, at.to_b, witness_of(apart));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/numbers.h"
+#include "geometry/tolerances.h"
 #include "narrow_phase/features.h"
 #include "narrow_phase/plane/separation.h"
 #include "narrow_phase/space/separation.h"

@@ -29,10 +29,6 @@ struct Candidate {
 };
 static_assert(std::has_unique_object_representations_v<DivisionCache>);
 
-/// Maximum relative displacement of two blocks per motion, over the thinner block's thickness. Below it they
-/// cannot pass through each other undetected, or past each other's middle.
-constexpr double safe_thickness_fraction = 0.25;
-
 /// How far blocks may move before the list is renewed.
 struct SkinRule {
   double relative;     // skin over block size

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include "geometry/tolerances.h"
+
 namespace halfspace {
 namespace {
 
@@ -11,18 +13,7 @@ namespace {
 /// keeps their impulses small; tall stacks need the last.
 constexpr double first_compliance = 1e-6, last_compliance = 1e-11, compliance_ratio = 1e-3;
 
-/// Velocities below this fraction of the tolerance are rounding, and solutions are refined to it.
-constexpr double noise_fraction = 1e-3, refined_fraction = 1e-3;
-
-/// Sets go on to this fraction of the tolerance, so that the next step begins within it.
-constexpr double sure_fraction = 0.1;
-
 constexpr int max_sets = 20;
-/// Sets do not settle when one leaves this much more unbalanced than the best before.
-constexpr double diverged_ratio = 2;
-/// A set that stays converges too slowly when it leaves more than this.
-constexpr double slow_ratio = 0.1;
-
 constexpr int max_refinements = 24;
 
 /// The unknowns of a block: velocity and spin.
@@ -265,7 +256,7 @@ bool ActiveSet<D>::improve(ImpulseProblem<D>& problem, double tolerance) {
   double last = HUGE_VAL;
   for (int i = 0; i < max_refinements; ++i) {
     const double remaining = refine(problem);
-    if (remaining <= refined_fraction * tolerance || !(remaining < 0.5 * last)) break;
+    if (remaining <= refined_within * tolerance || !(remaining < 0.5 * last)) break;
     last = remaining;
   }
   return true;
@@ -285,7 +276,7 @@ void ActiveSet<D>::reserve(std::size_t rows, std::size_t blocks) {
 
 template <int D>
 double ActiveSet<D>::solve(ImpulseProblem<D>& problem, std::size_t island, double tolerance, bool is_cold) {
-  const double noise = noise_fraction * tolerance;
+  const double noise = refined_within * tolerance;
   contacts_ = problem.islands.contacts_of(island);
   states_.resize(problem.rows.size());
   compliance_ = first_compliance;
@@ -294,14 +285,14 @@ double ActiveSet<D>::solve(ImpulseProblem<D>& problem, std::size_t island, doubl
   keep(problem);
   try {
     order_blocks(problem);
-    for (int i = 0; i < max_sets && least > sure_fraction * tolerance && improve(problem, tolerance); ++i) {
+    for (int i = 0; i < max_sets && least > solved_within * tolerance && improve(problem, tolerance); ++i) {
       const double unbalanced = classify(problem, noise);
       if (unbalanced < least) {
         least = unbalanced;
         keep(problem);
       }
       if (!(unbalanced < diverged_ratio * last)) break;
-      const bool stays = changed_ == 0 && unbalanced > slow_ratio * last;
+      const bool stays = changed_ == 0 && unbalanced > worthwhile * last;
       last = std::min(last, unbalanced);
       if (!stays) continue;
       if (compliance_ <= last_compliance) break;

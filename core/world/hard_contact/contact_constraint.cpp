@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/stall.h"
 
 namespace halfspace {
@@ -31,14 +32,13 @@ Vector<D> projected_impulse(const ContactConstraint<D>& at, const Vector<D>& vel
 
 template <int D>
 bool ContactConstraint<D>::fails(const Vector<D>& left) const {
-  constexpr double tolerance = 1e-6;
   const Vector<D>&n = this->normal, &p = this->impulse;
   const double along = p.dot(n), across = (p - along * n).norm();
   const double opening = left.dot(n), slip = (left - opening * n).norm();
   const double limit = cohesion_limit + tan_friction * std::max(along, 0.0);
-  const double noise = tolerance * normal_inverse_mass * p.norm();
-  return (along <= -(1 - tolerance) * tension_limit && opening > noise) ||
-         (across >= (1 - tolerance) * limit && slip > noise);
+  const double noise = equal_within * normal_inverse_mass * p.norm();
+  return (along <= -(1 - equal_within) * tension_limit && opening > noise) ||
+         (across >= (1 - equal_within) * limit && slip > noise);
 }
 
 template <int D>
@@ -102,7 +102,7 @@ int solve_constraints(std::span<ContactConstraint<D>> constraints, VelocityChang
     const bool is_backwards = iteration % 2 == 0;
     const double changed = sweeps.sweep(is_backwards);
     fastest = std::max(fastest, changed);
-    if (changed <= smallest_change * fastest || stall.is_reached(changed)) return iteration;
+    if (changed <= converged_change * fastest || stall.is_reached(changed)) return iteration;
     if (is_backwards) {
       direction.update(sweeps.squared_change());
       sweeps.accelerate(direction);

@@ -65,10 +65,6 @@ struct ContactConstraint : PointContact<D> {
   bool fails(const Vector<D>& left) const;
 };
 
-/// A solver of points has converged when changes are below this fraction of the largest velocity: a point
-/// that moves farther would leave its face.
-constexpr double smallest_change = 1e-8;
-
 /// Sweeps of projected Gauss-Seidel over constraints, on the changes of velocity.
 template <int D>
 class ConstraintSweeps {

@@ -34,9 +34,6 @@ struct MovingEdge {
 
 namespace {
 
-/// Share of a block's radius: edges that lie in each other deeper than this are those of other sides.
-constexpr double deepest_share = 1e-2;
-
 /// The places along two edges, from 0 to 1, where they are nearest to each other.
 struct NearestPlaces {
   double on_a = 0;
@@ -191,7 +188,7 @@ void PointContactSearch<3>::rebuild_surface_edges() {
 template <>
 void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
                                            Array<ContactConstraint<3>>& found) const {
-  const double most_behind = deepest_share * blocks_.radius[std::size_t(b)];
+  const double most_behind = other_side * blocks_.radius[std::size_t(b)];
   // Two edges that are farther apart cannot meet in this motion.
   const double reach = margin_ + integrator_.longest_motion() + most_behind;
   const EdgeBound about_b{blocks_.position[std::size_t(b)], blocks_.radius[std::size_t(b)]};

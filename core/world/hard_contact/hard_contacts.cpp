@@ -1,14 +1,12 @@
 #include "world/hard_contact/hard_contacts.h"
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
 namespace {
 
 constexpr int max_mixed_sweeps = 1000;
-
-/// Active sets give a better start when points then unbalance manifolds by this fraction only.
-constexpr double better_start_fraction = 0.1;
 
 }  // namespace
 
@@ -106,7 +104,7 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
     rigid_.set_motions(half);
     rigid_.solve(half, duration);
     result = sweep(1);
-    if (together_.change_of_manifolds() <= better_start_fraction * change) {
+    if (together_.change_of_manifolds() <= worthwhile * change) {
       next_pause_ = {};
     } else {
       together_.return_to_start(problem, points_.constraints());

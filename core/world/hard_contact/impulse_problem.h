@@ -7,6 +7,7 @@
 #include <span>
 
 #include "block/inertia.h"
+#include "geometry/tolerances.h"
 #include "geometry/vector.h"
 #include "world/hard_contact/contact_islands.h"
 #include "world/hard_contact/slip_reversal.h"
@@ -169,7 +170,7 @@ struct ImpulseProblem {
     };
     const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
     if (slip > 0 && reverse_slip(int(rows.size()), slip, row_of, of_translation, bound, impulse.data(), 0.0,
-                                 1.0, 1e-300) > 0)
+                                 1.0, least_divisor) > 0)
       return HUGE_VAL;
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
     double common = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/mean_distance.h"
+#include "geometry/tolerances.h"
 #include "narrow_phase/space/contact_plane.h"
 
 namespace halfspace {
@@ -38,8 +39,7 @@ Patch<3> patch_of_corners(std::span<const Vector<3>> corner, const Vector<3>& no
     moment += part / 3 * sum;
     spread += part / 12 * (side * side.transpose() + next * next.transpose() + sum * sum.transpose());
   }
-  constexpr double flat = 1e-9;
-  if (std::abs(area) <= flat * farthest.squaredNorm())
+  if (std::abs(area) <= face_reach * farthest.squaredNorm())
     return {origin + 0.5 * farthest, mean_distance(Tensor<3>(farthest * farthest.transpose() / 12)), 0};
   const Vector<3> center = moment / area;
   const double radius = mean_distance(Tensor<3>(spread / area - center * center.transpose()));

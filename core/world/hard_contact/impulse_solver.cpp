@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/stall.h"
 
 namespace halfspace {
@@ -15,16 +16,6 @@ constexpr int max_sweeps = 200;
 
 /// A lower cap does not pause active sets that help: so few sweeps between them would not hold a structure.
 constexpr int few_sweeps = 20;
-
-/// Active sets do not settle while sweeps change velocities by more than this fraction of what gravity does.
-constexpr double quiet_fraction = 0.5;
-
-/// They help when they leave this fraction of it, and are soon tried again when it is this fraction of what
-/// was.
-constexpr double helpful_fraction = 0.1;
-
-/// Blocks move past each other where they are faster than this fraction of what gravity does in a step.
-constexpr double slip_fraction = 0.1;
 
 /// Sweeps of normal impulses alone, where friction has kept all from a solution.
 constexpr int normal_sweeps = 40;
@@ -110,7 +101,7 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
     const bool may_try_sets = uses_active_sets && is_quiet;
     if (is_in_motion && !may_try_sets && i >= settings.sweeps_in_motion()) break;
     if (may_try_sets && i >= next_active_set) {
-      const double before = result.unbalanced, helpful = helpful_fraction * settings.scale(fastest);
+      const double before = result.unbalanced, helpful = worthwhile * settings.scale(fastest);
       if (solve_active_sets(problem, island, tolerance, helpful, result.unbalanced, false)) {
         have_sets_helped = true;
         is_symmetric = false;
@@ -118,7 +109,7 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
         if (result.has_converged) break;
       }
       if (slips) break;
-      wait = result.unbalanced < helpful_fraction * before ? first_sweeps : 2 * wait;
+      wait = result.unbalanced < worthwhile * before ? first_sweeps : 2 * wait;
       next_active_set = i + wait;
     }
     if (!stall.is_reached(result.unbalanced)) continue;

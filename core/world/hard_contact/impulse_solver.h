@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/active_set.h"
 #include "world/hard_contact/conjugate_direction.h"
 #include "world/hard_contact/contact_groups.h"
@@ -23,8 +24,7 @@ struct ImpulseSettings {
   double scale(double fastest) const { return speed > 0 ? speed : fastest; }
   /// The velocity that may remain: at least the rounding of the largest one.
   double tolerance_for(double fastest) const {
-    constexpr double rounding_fraction = 1e-14;
-    return std::max(tolerance * scale(fastest), rounding_fraction * fastest);
+    return std::max(tolerance * scale(fastest), velocity_rounding * fastest);
   }
   /// Sweeps where active sets do not settle, since blocks move past each other. While gravity makes as much
   /// anew in each step, the next ones find what these leave: in a heap that is less by the cube of the

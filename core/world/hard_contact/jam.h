@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "block/blocks.h"
+#include "geometry/tolerances.h"
 #include "world/hard_contact/impulse_problem.h"
 
 namespace halfspace {
@@ -27,18 +28,12 @@ struct Jam {
   PressedPair pair;
 };
 
-/// No impulses keep the gaps of a jam open: those of a solver grow against each other, with little effect on
-/// any block. Where they have converged, the work that they still lack is 0; in a jam it becomes any multiple
-/// of the energy of the changes of velocity that they make. More than the first may be one, the second is.
-constexpr double suspected_ratio = 1, jammed_ratio = 10;
-
-/// Enough sweeps for the impulses of a jam to grow from one to the other.
+/// Enough sweeps for the impulses of a suspected jam to grow to those of one.
 constexpr int sweeps_of_suspect = 1000;
 
-/// Prescribed blocks that move together, as the walls of a box, do no work against each other.
-constexpr double jamming_work_fraction = 0.5;
-
-/// Finds the jam in the impulses of a solver that has not converged. The problem's motions contain them.
+/// Finds the jam in the impulses of a solver that has not converged. The problem's motions contain them. No
+/// impulses keep the gaps of a jam open: those of a solver grow against each other, with little effect on any
+/// block, and the work that they still lack becomes any multiple of the energy of the changes that they make.
 /// `free(i)`: the motion of a block without impulses. `duration`: over which the impulses act, s. `ratio`: of
 /// lacking work to energy.
 template <int D, class Free>

@@ -23,9 +23,6 @@ struct PosedBlock {
 template <int D>
 constexpr int max_manifold_points = D == 2 ? 2 : max_region_points;
 
-/// Separations, and ends of faces, that differ by less than this fraction of a block's size are equal.
-constexpr double equal_fraction = 1e-9;
-
 /// The features that give a manifold its normal.
 enum class ManifoldPlane : std::int32_t { face_of_a = 0, face_of_b = 1, edges = 2 };
 

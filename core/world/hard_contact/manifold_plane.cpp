@@ -88,7 +88,7 @@ bool find_manifold(const PosedBlock<2>& a, const PosedBlock<2>& b, double margin
   const OwnerFrame frames[2] = {{a, b}, {b, a}};
   const int owner = manifold.plane == ManifoldPlane::face_of_b;
   const double size = std::abs(frames[owner].owner.offset[manifold.feature]);
-  const double equal = equal_fraction * size;
+  const double equal = face_reach * size;
   FaceOfLargestSeparation best{owner, manifold.feature, frames[owner].separation(manifold.feature)};
   best.try_all(frames[0], 0, margin, equal);
   best.try_all(frames[1], 1, margin, equal);

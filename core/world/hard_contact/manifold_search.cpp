@@ -1,24 +1,10 @@
 #include "world/hard_contact/manifold_search.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "geometry/tolerances.h"
 
 namespace halfspace {
-namespace {
-
-/// Fractions of a block's radius. A point nearer to a face than this is on it.
-constexpr double reach_fraction = 1e-9;
-/// A point less deep than this is settled.
-constexpr double settled_fraction = 1e-6;
-/// A loaded point this close to its face rests on it. Points of solutions that have converged are closer.
-constexpr double resting_fraction = 1e-3;
-/// How far blocks may deviate from their motion at constant velocity before the search is repeated.
-constexpr double allowance_fraction = 1e-3;
-/// Blocks that have moved against each other by less than this have the manifold that they had (an idea of
-/// Box2D v3 and Box3D, Catto 2024), as long as they move: where they stand it is that of their place.
-constexpr double kept_fraction = 1e-3;
-
-}  // namespace
 
 template <int D>
 PosedBlock<D> ManifoldSearch<D>::now(std::size_t slot) const {
@@ -39,23 +25,22 @@ template <int D>
 double ManifoldSearch<D>::reach(const RigidContact<D>& contact) const {
   const double duration = integrator_.duration();
   const double unbalanced = 2 * model_.settings.impulse_tolerance * model_.settings.gravity.norm() * duration;
-  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
   const std::size_t a = std::size_t(contact.a), b = std::size_t(contact.b);
-  return std::max({reach_fraction * smaller_radius(contact),
-                   roundings * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()),
+  return std::max({face_reach * smaller_radius(contact),
+                   place_rounding * std::max(blocks_.position[a].norm(), blocks_.position[b].norm()),
                    unbalanced * duration});
 }
 
 template <int D>
 double ManifoldSearch<D>::settled_gap(const RigidContact<D>& contact) const {
-  return std::max(settled_fraction * smaller_radius(contact), reach(contact));
+  return std::max(touch_reach * smaller_radius(contact), reach(contact));
 }
 
 /// After its last rebound a block falls to the face.
 template <int D>
 double ManifoldSearch<D>::resting_gap(const RigidContact<D>& contact) const {
   const bool rebounds = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution > 0;
-  return rebounds ? settled_gap(contact) : resting_fraction * smaller_radius(contact);
+  return rebounds ? settled_gap(contact) : converged_gap * smaller_radius(contact);
 }
 
 /// Two blocks have contacts of impulses when one of them moves freely and is awake.
@@ -66,7 +51,7 @@ bool ManifoldSearch<D>::may_touch(const Candidate<D>& pair) const {
 
 template <int D>
 double ManifoldSearch<D>::allowance(std::size_t slot) const {
-  return slot < allowance_.size() ? allowance_[slot] : allowance_fraction * blocks_.radius[slot];
+  return slot < allowance_.size() ? allowance_[slot] : same_manifold * blocks_.radius[slot];
 }
 
 /// Faces are chosen where blocks would be by their present velocities: at the start of a motion the end of a
@@ -78,7 +63,7 @@ void ManifoldSearch<D>::pose_ahead(double duration) {
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i) {
     if (!blocks_.lives(i)) continue;
     ahead_[i] = now(i);
-    allowance_[i] = allowance_fraction * blocks_.radius[i];
+    allowance_[i] = same_manifold * blocks_.radius[i];
     if (!blocks_.moves(i) || integrator_.is_asleep(i)) continue;
     const std::size_t mover = blocks_.mover_of(i);
     const Angular<D> turn = duration * blocks_.spin[mover];
@@ -97,7 +82,7 @@ bool ManifoldSearch<D>::moves(std::size_t slot, double duration) const {
   if (!blocks_.moves(slot) || integrator_.is_asleep(slot)) return false;
   const std::size_t mover = blocks_.mover_of(slot);
   return duration * (blocks_.velocity[mover].norm() + blocks_.swing(mover)) >
-         reach_fraction * blocks_.radius[slot];
+         face_reach * blocks_.radius[slot];
 }
 
 /// In order of their blocks, each with the plane that it had among the known ones, if that still serves.
@@ -127,7 +112,7 @@ void ManifoldSearch<D>::find(double duration, std::span<const RigidContact<D>> k
       const double moved =
           (to_b - before->found_to_b).norm() + blocks_.radius[b] * turn.farthest_from(before->found_turn);
       const bool pair_moves = moves(a, duration) || moves(b, duration);
-      contact.is_kept = moved < (pair_moves ? kept_fraction * smaller_radius(contact) : reach(contact));
+      contact.is_kept = moved < (pair_moves ? same_manifold * smaller_radius(contact) : reach(contact));
       if (contact.is_kept) continue;
     }
     contact.found_to_b = to_b;

@@ -13,14 +13,6 @@
 namespace halfspace {
 namespace {
 
-/// A face or an edge of the other block within this angle of the plane, as its sine, gives the manifold its
-/// points: so all that may touch in a step do so together. Beyond it the nearest vertex does.
-constexpr double facing_sine = 0.3;
-
-/// A face whose separation is smaller than that of two edges by less than this fraction of a block's size
-/// gives the plane: an edge that nearly lies on it has two points there, and only one between the edges.
-constexpr double nearly_flat_fraction = 1e-3;
-
 /// Two blocks in the frame of the first.
 struct PairInFrame {
   PairInFrame(const PosedBlock<3>& a, const PosedBlock<3>& b)
@@ -152,7 +144,7 @@ bool meet_at_edges(const PosedBlock<3>& a, const PosedBlock<3>& b, const PairInF
   const SeenOutline seen_b(b.own, frame.turn);
   const MeetingEdges edges(SeenOutline(a.own), seen_b, pair);
   const double squares = edges.a.along.squaredNorm() * edges.b.along.squaredNorm();
-  if (edges.parallelogram.square <= nearly_flat_fraction * nearly_flat_fraction * squares) return false;
+  if (edges.parallelogram.square <= nearly_flush * nearly_flush * squares) return false;
   const NearestPoints nearest(edges, frame.to_b);
   if (!nearest.are_on_edges()) return false;
   manifold.plane = ManifoldPlane::edges;
@@ -180,7 +172,7 @@ PotentialPair<3> pair_of(const Manifold<3>& manifold) {
 
 bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin, Manifold<3>& manifold) {
   const PairInFrame frame(a, b);
-  const double size = std::min(a.own.offset[0], b.own.offset[0]), equal = equal_fraction * size;
+  const double size = std::min(a.own.offset[0], b.own.offset[0]), equal = face_reach * size;
   PotentialPair<3> known = pair_of(manifold);
   const double known_gap =
       known.kind == PotentialPair<3>::edge_edge ? -HUGE_VAL : gap_of_pair(a, b, frame, known);
@@ -188,7 +180,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   Separation<3> best = largest_separation(a, b, frame, margin);
   const bool is_between_edges = best.pair.kind == PotentialPair<3>::edge_edge;
   const PotentialPair<3> edges = best.pair;
-  if (known_gap >= best.gap - (is_between_edges ? nearly_flat_fraction * size : equal)) {
+  if (known_gap >= best.gap - (is_between_edges ? nearly_flush * size : equal)) {
     best.gap = known_gap;
     best.pair = known;
   }
@@ -197,7 +189,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
     const SeenOutline seen_a(a.own), seen_b(b.own, frame.turn);
     PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).least_deep(seen_a, seen_b, frame.to_b);
     const double face_gap = refresh(seen_a, seen_b, frame.to_b, face);
-    const bool is_as_far = face_gap >= best.gap - nearly_flat_fraction * size;
+    const bool is_as_far = face_gap >= best.gap - nearly_flush * size;
     if (!is_as_far && meet_at_edges(a, b, frame, edges, manifold)) return true;
     best.gap = face_gap;
     best.pair = face;

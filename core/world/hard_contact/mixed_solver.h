@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/contact_constraint.h"
 #include "world/hard_contact/contact_groups.h"
 #include "world/hard_contact/impulse_solver.h"
@@ -8,7 +9,7 @@ namespace halfspace {
 
 /// Would no point leave its face by what remains?
 inline bool is_balanced(const ImpulseResult& result) {
-  return result.unbalanced <= smallest_change * result.fastest;
+  return result.unbalanced <= converged_change * result.fastest;
 }
 
 /// Solves the manifolds of rigid blocks and the points of others together, where blocks have both: sweeps

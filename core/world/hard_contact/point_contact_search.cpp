@@ -3,21 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/tolerances.h"
 
 namespace halfspace {
 namespace {
-
-/// Shares of a block's radius. A corner that is nearer to a face's plane than this is at it; and faces reach
-/// so far beyond their ends, so that corners that meet squarely are not lost to rounding.
-constexpr double reach_share = 1e-9;
-
-/// Where supports of both blocks hold a contact along its face, friction only opposes the slip: the inverse
-/// effective mass along the face is at least this fraction of that along the normal.
-constexpr double least_shear_fraction = 1e-6;
-
-/// A corner looks at a face that lies at an angle across its way out, by so much at least: meshes bend.
-constexpr double least_cosine = 0.02;
 
 /// The share of a face that belongs to one of its corners; 0 for a corner that is none of it.
 double share_of_corner(const Outline<2>& o, int face, int corner) {
@@ -129,7 +119,7 @@ bool PointContactSearch<D>::is_well_inside(const Target& b, const Vector<D>& end
   for (int face = 0; face < own.face_count(); ++face) {
     const double depth = (own.offset[face] - own.normal(face).dot(end)) /
                          (b.predicted.inverse.transpose() * own.normal(face)).norm();
-    if (face != but_for && depth < behind_share * blocks_.radius[b.slot]) return false;
+    if (face != but_for && depth < touch_reach * blocks_.radius[b.slot]) return false;
   }
   return true;
 }
@@ -147,7 +137,7 @@ typename PointContactSearch<D>::Entrance PointContactSearch<D>::entrance(const T
   const Vector<D> start = b.now.inverse * (corner_now(a, corner) - b.now.position);
   const Vector<D> end = b.predicted.inverse * (predicted_corner(a, corner) - b.predicted.position);
   const Vector<D> out_of_a = outwards(a, corner).normalized();
-  const double tiny = std::max(behind_share * radius, reach);
+  const double tiny = std::max(touch_reach * radius, reach);
   Entrance last, at_start;
   bool is_beside = false;
   for (int face = 0; face < own.face_count(); ++face) {
@@ -160,7 +150,7 @@ typename PointContactSearch<D>::Entrance PointContactSearch<D>::entrance(const T
       is_beside = is_beside || before > reach;
       continue;
     }
-    Entrance through{face, 0, before, after, normal.dot(out_of_a) < -least_cosine * normal.norm()};
+    Entrance through{face, 0, before, after, normal.dot(out_of_a) < -facing_cosine * normal.norm()};
     if (through.looks_at_a && std::abs(before) <= tiny && after >= at_start.after) at_start = through;
     if (before <= reach) {
       if (!through.looks_at_a) continue;
@@ -253,7 +243,7 @@ void PointContactSearch<D>::place(ContactConstraint<D>& at) const {
   at.normal_velocity_response = mobility * at.normal;
   at.normal_inverse_mass = at.normal.dot(at.normal_velocity_response);
   const double across = D == 2 ? mobility.trace() - at.normal_inverse_mass : mobility.norm();
-  at.shear_inverse_mass = std::max(across, least_shear_fraction * at.normal_inverse_mass);
+  at.shear_inverse_mass = std::max(across, held_mass * at.normal_inverse_mass);
 }
 
 template <int D>
@@ -277,11 +267,11 @@ double PointContactSearch<D>::area_of(const ContactConstraint<D>& at) const {
   return share * std::max(0.0, -at.normal.dot(face_of(std::size_t(at.a), at.feature_a)));
 }
 
-/// At least the rounding of a corner's place seen from a block.
+/// At least the rounding of a corner's place seen from a block. Faces reach so far beyond their ends, so that
+/// corners that meet squarely are not lost to rounding.
 template <int D>
 double PointContactSearch<D>::reach(std::size_t b) const {
-  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-  return std::max(reach_share * blocks_.radius[b], roundings * blocks_.position[b].norm());
+  return std::max(face_reach * blocks_.radius[b], place_rounding * blocks_.position[b].norm());
 }
 
 /// Pairs that meet in points, as far as they come near each other at all.

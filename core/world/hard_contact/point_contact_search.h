@@ -9,10 +9,6 @@
 
 namespace halfspace {
 
-/// The plane of a face goes on beyond the face. A corner beside it that is behind the plane by more than this
-/// is before the neighbouring face.
-constexpr double behind_share = 1e-6;
-
 /// The face of a simplex lies opposite to one of its nodes.
 inline int node_opposite(const Outline<2>&, int face) { return (face + 2) % 3; }
 inline int node_opposite(const Outline<3>& o, int face) {

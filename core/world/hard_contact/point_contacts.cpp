@@ -4,13 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
 namespace {
-
-/// Blocks that overlap at the start of a motion come apart by this fraction of the radius in it.
-constexpr double recovery = 1e-7;
 
 template <int D>
 bool precedes(const PointContact<D>& one, const PointContact<D>& other) {
@@ -39,7 +37,7 @@ double PointContacts<D>::gap_floor_of(const ContactConstraint<D>& at) const {
   const std::size_t b = std::size_t(at.b);
   const double settled = at.is_persistent ? search_.reach(b) : 0;
   if (std::abs(at.gap) < settled) return at.gap;
-  return std::min(-settled, at.gap + recovery * blocks_.radius[b]);
+  return std::min(-settled, at.gap + recovered_way * blocks_.radius[b]);
 }
 
 /// The velocity that a constraint acts on is that of the predicted motion without impulses.
@@ -93,7 +91,7 @@ bool PointContacts<D>::correct(double duration) {
     const double error = at.gap - at.gap_floor - duration * at.normal.dot(at.velocity + kicked(at));
     at.velocity += error / duration * at.normal;
     const bool is_active = at.is_bonded || !at.impulse.isZero(0) || at.gap < at.gap_floor;
-    if (is_active && !(std::abs(error) <= gap_tolerance * search_.reach(std::size_t(at.b)))) is_exact = false;
+    if (is_active && !(std::abs(error) <= solved_within * search_.reach(std::size_t(at.b)))) is_exact = false;
   }
   return is_exact;
 }
@@ -163,9 +161,8 @@ void PointContacts<D>::apply_position_impulses(EnergyLedger& ledger) {
 
 template <int D>
 bool PointContacts<D>::is_approached(const ContactConstraint<D>& at) const {
-  constexpr double tolerance = 1e-6;
   return at.impact_fraction > 0 ||
-         at.normal.dot(velocity_of(at)) < -tolerance * at.applied_velocity_change.norm();
+         at.normal.dot(velocity_of(at)) < -equal_within * at.applied_velocity_change.norm();
 }
 
 template <int D>
@@ -183,7 +180,7 @@ void PointContacts<D>::find_at_end() {
   for (ContactConstraint<D>& at : predicted_) {
     break_when_due(at);
     search_.place(at);
-    if (at.gap < -reported_depth * blocks_.radius[std::size_t(at.b)])
+    if (at.gap < -converged_gap * blocks_.radius[std::size_t(at.b)])
       deepest_ = std::max(deepest_, -at.gap / blocks_.thinner(at.a, at.b));
     at.approach_velocity = velocity_of(at) + at.applied_velocity_change;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
+
 namespace halfspace {
 
 /// The fraction of the coefficient of restitution at which the impulses of an impact do no work. It is 1
@@ -15,11 +17,10 @@ class ReboundFraction {
 
   /// Takes the work at the present value. `size`: of all its terms. True if another value is better.
   bool improve(double work, double size) {
-    constexpr double rounding_fraction = 1e-11, least_fraction = 1e-8, lost_fraction = 1e-3;
-    const bool gains = work > rounding_fraction * size;
+    const bool gains = work > work_rounding * size;
     if (gains ? value_ == 0 : value_ == 1 || work > -lost_) return false;
     (gains ? gain_ : loss_) = {value_ * value_, work};
-    if (value_ == 1) lost_ = std::min(std::max(4 * work, least_fraction * size), lost_fraction * size);
+    if (value_ == 1) lost_ = std::min(std::max(4 * work, least_loss * size), largest_loss * size);
     if (value_ < 1 && gains) lost_ *= 4;  // the solver's tolerance hides less
     value_ = std::isnan(loss_.work) ? 0 : std::sqrt(square_at(-0.5 * lost_));
     return true;

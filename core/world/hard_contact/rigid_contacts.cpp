@@ -5,24 +5,13 @@
 #include <iterator>
 #include <utility>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
 namespace {
 
-/// Penetration loses this fraction of itself per step.
-constexpr double recovery_fraction = 0.25;
 constexpr int max_recovery_sweeps = 10;
-
-/// The second half step finds the unbalanced velocity of the first one twice. At half of the tolerance, both
-/// stay within it.
-constexpr double first_tolerance_fraction = 0.5;
-
-/// Points of a manifold are the same from step to step within this fraction of the radius.
-constexpr double same_place_fraction = 0.05;
-
-/// Blocks are held only by impulses within this tolerance.
-constexpr double largest_tolerance_of_rest = 1e-6;
 
 }  // namespace
 
@@ -47,7 +36,7 @@ void RigidContacts<D>::warm_start(double duration) {
       continue;
     }
     const PosedBlock<D> a = search_.now(std::size_t(contact.a)), b = search_.now(std::size_t(contact.b));
-    const double near = same_place_fraction * search_.smaller_radius(contact);
+    const double near = same_point * search_.smaller_radius(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       double nearest = near * near;
       for (std::size_t k = 0; k < std::size_t(before->manifold.count); ++k) {
@@ -62,9 +51,11 @@ void RigidContacts<D>::warm_start(double duration) {
   }
 }
 
+/// The second half step finds the unbalanced velocity of the first one twice. At half of the tolerance, both
+/// stay within it.
 template <int D>
 ImpulseSettings RigidContacts<D>::settings_of(Half half, double duration) const {
-  const double fraction = half == Half::first ? first_tolerance_fraction : 1;
+  const double fraction = half == Half::first ? 0.5 : 1;
   return {.tolerance = fraction * model_.settings.impulse_tolerance,
           .tolerance_of_rest = fraction * tolerance_of_rest(),
           .speed = duration * model_.settings.gravity.norm(),
@@ -79,7 +70,7 @@ std::optional<Jam> RigidContacts<D>::find_jam(Half half, double ratio) {
 
 template <int D>
 double RigidContacts<D>::tolerance_of_rest() const {
-  return std::min(model_.settings.impulse_tolerance, largest_tolerance_of_rest);
+  return std::min(model_.settings.impulse_tolerance, tolerance_to_stand);
 }
 
 /// Slower blocks stand: several contacts of a block may each leave the tolerance unbalanced.
@@ -194,7 +185,6 @@ void RigidContacts<D>::set_motions(Half half) {
 
 template <int D>
 void RigidContacts<D>::set_start(Half half) {
-  constexpr double slow_fraction = 1e-3;
   problem_.slow_slip = slow_fraction * integrator_.duration() * model_.settings.gravity.norm();
   problem_.start.assign(blocks_.slot_count(), {});
   for (std::size_t i = 0; i < blocks_.moving_end(); ++i)
@@ -283,9 +273,8 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].impulse = 0;
-      rows[i].target =
-          -std::max(0.0, contact.gap[i]) +
-          recovery_fraction * std::max(0.0, -contact.gap[i] - 0.5 * search_.settled_gap(contact));
+      rows[i].target = -std::max(0.0, contact.gap[i]) +
+                       recovered_part * std::max(0.0, -contact.gap[i] - 0.5 * search_.settled_gap(contact));
     }
   }
   solver_.sweep_only(problem_, std::min(max_recovery_sweeps, model_.settings.max_impulse_iterations));
@@ -303,8 +292,7 @@ double RigidContacts<D>::recover(std::span<const std::size_t> held_by_points) {
 template <int D>
 bool RigidContacts<D>::has_impact() const {
   if (predicted_.empty()) return false;  // the problem is that of an earlier motion
-  constexpr double fraction = 1e-3;
-  const double slow = fraction * integrator_.duration() * model_.settings.gravity.norm();
+  const double slow = slow_fraction * integrator_.duration() * model_.settings.gravity.norm();
   return std::any_of(problem_.contacts.begin(), problem_.contacts.end(), [&](const ImpulseContact<D>& of) {
     const BlockMotion<D> a = motion(std::size_t(of.a)), b = motion(std::size_t(of.b));
     const std::span<const ImpulseRow<D>> rows = problem_.rows_of(of).first(std::size_t(of.normal_count));
@@ -323,7 +311,7 @@ void RigidContacts<D>::find_at_end(std::span<const std::size_t> held_by_points) 
         !(contact.normal_impulse() > 0) && !contact.rebounds() && contact.min_gap() > search_.reach(contact);
     for (std::size_t i = 0; i < std::size_t(contact.manifold.count); ++i) {
       const double depth = -contact.gap[i] / blocks_.thinner(contact.a, contact.b);
-      if (depth > reported_depth) deepest_ = std::max(deepest_, depth);
+      if (depth > converged_gap) deepest_ = std::max(deepest_, depth);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/rigid_contacts.h"
 
 namespace halfspace {
@@ -11,9 +12,6 @@ namespace {
 
 /// Trials of the times of impact, and of both these and restitution.
 constexpr int max_matches = 3, max_trials = 9;
-
-/// Times of impact are accurate to this fraction of a motion.
-constexpr double matched_fraction = 1e-3;
 
 /// Moves a row from where blocks are now to where they were between the start of the motion and now.
 template <int D>
@@ -117,7 +115,7 @@ bool RigidContacts<D>::match_times_of_impact() {
     const ImpulseContact<D>&of = problem_.contacts[c], &of_first = first_.contacts[c];
     const auto match = [&](double& at, double first, double whole) {
       const double before = std::exchange(at, std::clamp(1 - first / whole, 0.0, 1.0));
-      has_changed |= contact.rebounds() && std::abs(at - before) > matched_fraction;
+      has_changed |= contact.rebounds() && std::abs(at - before) > matched_time;
     };
     const double whole = problem_.normal_impulse(of);
     if (!(whole > 0)) continue;

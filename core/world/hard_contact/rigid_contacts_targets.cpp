@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerances.h"
 #include "world/hard_contact/limits.h"
 #include "world/hard_contact/rigid_contacts.h"
 
 namespace halfspace {
-namespace {
-
-/// Impacts this early in a motion, as a fraction of it, are at its start.
-constexpr double shortest_fraction = 1e-6;
-
-}  // namespace
 
 /// Blocks that others support do not fall: adds the impulses at points and those of the last motion, but no
 /// more than hold a block, since those of an impact would lift it.
@@ -59,13 +54,12 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
       const double gap = std::max(0.0, contact.gap[i]);
       const double end = gap + duration * (opening + 0.5 * acceleration * duration);
       const double square = opening * opening - 2 * acceleration * gap;
-      constexpr double little = 1e-6;
-      const bool is_approached = gap > 0 || opening < -little * std::abs(acceleration) * duration;
+      const bool is_approached = gap > 0 || opening < -equal_within * std::abs(acceleration) * duration;
       if (!(end < search_.reach(contact)) || !is_approached || !(square > 0)) continue;
       const double speed = std::sqrt(square);
       const double at = std::clamp(2 * gap / (speed - opening), 0.0, duration);
       const double rest = duration - at;
-      if (at > shortest_fraction * duration)
+      if (at > end_reach * duration)
         fraction_before_impact_ = std::min(fraction_before_impact_, at / duration);
       first = std::min(first, at);
       if (restitution == 0 || !(restitution * speed + acceleration * rest > 0)) continue;
@@ -107,9 +101,8 @@ void RigidContacts<D>::set_gap_targets(double duration) {
 
 template <int D>
 bool RigidContacts<D>::turns(std::int32_t mover) const {
-  constexpr double little = 1e-7;
   const std::size_t i = std::size_t(mover);
-  return can_move(i) && integrator_.predicted_rotation(i).farthest_from(blocks_.rotation[i]) > little;
+  return can_move(i) && integrator_.predicted_rotation(i).farthest_from(blocks_.rotation[i]) > no_turn;
 }
 
 /// Friction that sticks keeps two points together to the motion's end. The linear rows leave out that their
@@ -136,7 +129,7 @@ bool RigidContacts<D>::correct_targets(double duration) {
     const PredictedContact<D>& contact = predicted_[c];
     const auto predicted = search_.predicted_gaps(contact);
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(problem_.contacts[c]);
-    const double tolerance = gap_tolerance * search_.reach(contact);
+    const double tolerance = solved_within * search_.reach(contact);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double penetrated = predicted[i] - std::min(contact.gap[i], 0.0);
       if (contact.rebound_gap[i] > 0 && penetrated >= 0) continue;

@@ -2,16 +2,18 @@
 
 #include <cmath>
 
+#include "geometry/tolerances.h"
+
 namespace halfspace {
 
 /// Vertices of both blocks at faces of the other one are more constraints than degrees of freedom. Where they
 /// contradict each other by rounding or rotation, the changes of sweeps never vanish.
 class Stall {
  public:
-  /// Takes the change of the next sweep. True when changes have not fallen by a thousandth in many sweeps.
+  /// Takes the change of the next sweep. True when changes have not fallen in many sweeps.
   bool is_reached(double changed) {
     ++sweeps_;
-    if (!(changed <= 0.999 * least_)) return sweeps_ >= max_sweeps;
+    if (!(changed <= falling_ratio * least_)) return sweeps_ >= max_sweeps;
     least_ = changed;
     sweeps_ = 0;
     return false;

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "narrow_phase/pair.h"
 #include "narrow_phase/time_of_impact.h"
 
 namespace halfspace {
 namespace {
-
-/// Fraction of the thinner block's thickness. In a shorter motion the order in which faces close does not
-/// matter.
-constexpr double short_share = 0x1p-8;
-
-/// Manifolds are found where blocks would be at the end of the motion. Overlaps there up to this fraction of
-/// the thinner block's thickness show the faces that meet.
-constexpr double manifold_thickness_fraction = 0.5;
 
 PairCache<2> witness_of(const Impact<2>& impact) { return {PairCache<2>::separated, impact.pair}; }
 PairCache<3> witness_of(const Impact<3>& impact) {
@@ -36,7 +29,7 @@ double ContinuousCollision<D>::safe_time_step() const {
 /// blocks are not included: any() tests their predicted motion.
 template <int D>
 void ContinuousCollision<D>::note_speeds(const EnergySample& sample) {
-  fastest_squared_ = 2.001 * (sample.squared_speed + sample.squared_swing);
+  fastest_squared_ = 2 * bound_margin * (sample.squared_speed + sample.squared_swing);
 }
 
 /// A block is fast when a whole step would move it by more than its safe displacement, at its current speed
@@ -101,7 +94,7 @@ Sweep<D> ContinuousCollision<D>::made_sweep(std::size_t i, double made) const {
 /// short relative to the thinner block.
 template <int D>
 void ContinuousCollision<D>::find_entrance(Candidate<D>& pair, double made, int worker) {
-  if (made * blocks_.speed_between(pair.a, pair.b) <= short_share * blocks_.thinner(pair.a, pair.b)) return;
+  if (made * blocks_.speed_between(pair.a, pair.b) <= short_way * blocks_.thinner(pair.a, pair.b)) return;
   const Impact<D> impact =
       time_of_impact(blocks_.own_outline(pair.a), made_sweep(std::size_t(pair.a), made),
                      blocks_.own_outline(pair.b), made_sweep(std::size_t(pair.b), made), room_of(worker));

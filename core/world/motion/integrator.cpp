@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "world/motion/local_damping.h"
 
 namespace halfspace {
@@ -94,7 +94,7 @@ EnergySample Integrator<D>::begin(double time_step, double& noise) {
       const double load = blocks_.mass[i] * settings_.gravity.norm() + blocks_.applied_force[i].norm();
       load_times_size += load * blocks_.radius[i] + blocks_.applied_torque[i].norm();
       const double reach = blocks_.position[i].norm() + blocks_.radius[i];
-      const double speed = std::numeric_limits<double>::epsilon() * reach / time_step;
+      const double speed = machine_epsilon * reach / time_step;
       rounding_energy += blocks_.mass[i] * speed * speed;
     }
     if (blocks_.is_affine(i)) {

@@ -3,17 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/tolerances.h"
 #include "world/motion/local_damping.h"
 
 namespace halfspace {
-namespace {
-
-/// Maximum strain of a cell by rounding of positions. It limits the distance of a body from its origin.
-constexpr double most_rounded = 1e-3;
-
-}  // namespace
 
 /// Sums all forces on the nodes: gravity and applied forces, then elements and contacts in ascending order.
 /// Returns the strain energy.
@@ -142,7 +136,7 @@ void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise)
          ++i) {
       accelerate(i, 0);
       const Vector<D> position = body.origin + meshes_.place[i];
-      const double speed = std::numeric_limits<double>::epsilon() * position.norm() / time_step;
+      const double speed = machine_epsilon * position.norm() / time_step;
       noise += meshes_.mass[i] * (speed * speed + settings_.gravity.norm() * meshes_.place[i].norm());
       sample.gravity -= meshes_.mass[i] * settings_.gravity.dot(position);
       sample_energy(i, meshes_.velocity[i], sample);
@@ -170,7 +164,7 @@ typename MeshMotion<D>::Bending MeshMotion<D>::most_bent() const {
     most.by_motion = std::max(most.by_motion, body.steepest * std::sqrt(aside));
     most.by_rounding = std::max(most.by_rounding, body.steepest * std::sqrt(reach));
   }
-  most.by_rounding *= std::numeric_limits<double>::epsilon();
+  most.by_rounding *= machine_epsilon;
   return most;
 }
 
@@ -200,7 +194,7 @@ bool MeshMotion<D>::predict(double duration) {
   inverted_ = {};
   if (meshes_.empty()) return true;
   const Bending bent = most_bent();
-  if (!std::isfinite(bent.by_motion) || !(bent.by_rounding <= most_rounded)) return false;
+  if (!std::isfinite(bent.by_motion) || !(bent.by_rounding <= rounded_strain)) return false;
   const double least_stretch = std::sqrt(std::max(1 - 2 * std::sqrt(largest_strain_), 0.0));
   return bent.by_motion < 0.5 * least_stretch || keeps_upright();
 }

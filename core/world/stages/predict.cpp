@@ -1,14 +1,12 @@
 #include <algorithm>
 
+#include "geometry/tolerances.h"
 #include "world/stages/stages.h"
 
 // The stages that predict a motion, and take all its memory, so that a motion once begun completes.
 
 namespace halfspace {
 namespace {
-
-/// A part this large is the whole motion: times of impact are accurate to rounding.
-constexpr double whole_part = 1 - 1e-12;
 
 /// No motion is a smaller part of a step, and none that ends at an impact is smaller than this.
 constexpr double min_part = 0x1p-24, min_located_part = 0x1p-16;
