@@ -5,9 +5,9 @@
 
 #include "block/mesh/surface.h"
 #include "threads/interrupt.h"
-#include "world/edit/placed.h"
+#include "world/placed.h"
 #include "world/stages/stages.h"
-#include "world/state.h"
+#include "world/stages/state.h"
 
 namespace halfspace {
 

@@ -1,4 +1,4 @@
-#include "world/ledger.h"
+#include "world/motion/ledger.h"
 
 #include <limits>
 

@@ -4,7 +4,6 @@
 
 #include "block/bond/bonds.h"
 #include "world/contacts/contact_list.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
 
 namespace halfspace {

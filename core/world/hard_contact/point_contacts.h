@@ -2,9 +2,9 @@
 
 #include "world/hard_contact/jam.h"
 #include "world/hard_contact/point_contact_search.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
+#include "world/motion/ledger.h"
 
 namespace halfspace {
 

@@ -5,9 +5,9 @@
 #include "world/hard_contact/impulse_work.h"
 #include "world/hard_contact/jam.h"
 #include "world/hard_contact/rest.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
 #include "world/motion/integrator.h"
+#include "world/motion/ledger.h"
 
 namespace halfspace {
 

@@ -6,11 +6,11 @@
 
 #include "world/contacts/force_pass.h"
 #include "world/contacts/neighbor_list.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
+#include "world/model/share.h"
+#include "world/motion/ledger.h"
 #include "world/motion/mesh_motion.h"
 #include "world/motion/sleep.h"
-#include "world/share/share.h"
 
 namespace halfspace {
 

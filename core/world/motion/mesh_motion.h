@@ -4,9 +4,9 @@
 
 #include "block/mesh/meshes.h"
 #include "world/contacts/force_pass.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
 #include "world/motion/element_pass.h"
+#include "world/motion/ledger.h"
 #include "world/motion/velocity_change.h"
 
 namespace halfspace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/state.h"
+#include "world/stages/state.h"
 
 namespace halfspace {
 

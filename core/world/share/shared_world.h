@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "world/state.h"
+#include "world/stages/state.h"
 
 namespace halfspace {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/contacts/entrance.h"
-#include "world/state.h"
+#include "world/stages/state.h"
 
 namespace halfspace {
 

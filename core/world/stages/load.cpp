@@ -1,4 +1,4 @@
-#include "world/loads/bolt_pass.h"
+#include "world/stages/bolt_pass.h"
 #include "world/stages/stages.h"
 
 // The stages that load the blocks: contacts first, then what adds to their sums.

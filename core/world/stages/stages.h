@@ -4,11 +4,11 @@
 #include <cstdint>
 
 #include "world/contacts/bond_pass.h"
-#include "world/loads/water_pass.h"
 #include "world/stages/contact_stage.h"
+#include "world/stages/state.h"
 #include "world/stages/step_result.h"
-#include "world/state.h"
-#include "world/stopwatch.h"
+#include "world/stages/stopwatch.h"
+#include "world/stages/water_pass.h"
 
 namespace halfspace {
 

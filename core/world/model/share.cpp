@@ -1,4 +1,4 @@
-#include "world/share/share.h"
+#include "world/model/share.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "threads/threads.h"
 #include "world/contacts/force_pass.h"
 #include "world/model/model.h"
-#include "world/share/share.h"
+#include "world/model/share.h"
 
 namespace halfspace {
 

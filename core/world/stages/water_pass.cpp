@@ -1,4 +1,4 @@
-#include "world/loads/water_pass.h"
+#include "world/stages/water_pass.h"
 
 #include <numeric>
 

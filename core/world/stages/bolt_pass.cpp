@@ -1,4 +1,4 @@
-#include "world/loads/bolt_pass.h"
+#include "world/stages/bolt_pass.h"
 
 namespace halfspace {
 

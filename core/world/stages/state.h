@@ -7,15 +7,15 @@
 #include "world/contacts/contact_list.h"
 #include "world/contacts/force_pass.h"
 #include "world/hard_contact/hard_contacts.h"
-#include "world/ledger.h"
 #include "world/model/model.h"
+#include "world/model/share.h"
 #include "world/motion/clock.h"
 #include "world/motion/continuous_collision.h"
 #include "world/motion/integrator.h"
+#include "world/motion/ledger.h"
 #include "world/motion/penetration_bound.h"
 #include "world/motion/sleep.h"
 #include "world/motion/stable_step.h"
-#include "world/share/share.h"
 
 namespace halfspace {
 

@@ -1,4 +1,4 @@
-#include "world/state.h"
+#include "world/stages/state.h"
 
 #include <algorithm>
 #include <cmath>
