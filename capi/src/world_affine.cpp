@@ -36,6 +36,9 @@ Elasticity read_elasticity(const hs_elasticity_def* given, int dimension) {
   require(elasticity.shear_modulus > 0, young, "elasticity.young_modulus",
           "so large that the shear modulus is above 0");
   elasticity.damping_time = require_from_zero(def.damping_time, "elasticity.damping_time");
+  elasticity.young_modulus = young;
+  elasticity.poisson_ratio = poisson;
+  elasticity.is_plane_stress = def.plane == HS_PLANE_STRESS;
   return elasticity;
 }
 

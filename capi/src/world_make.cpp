@@ -102,6 +102,7 @@ ContactLaw read_law(const hs_law_def* given) {
   law.shear_damping = require_from_zero(def.shear_damping, "law.shear_damping");
   law.restitution = require(def.restitution >= 0 && def.restitution <= 1, def.restitution, "law.restitution",
                             "at least 0 and at most 1");
+  law.given = {def.shear_stiffness, def.friction_angle, def.cohesion, def.tensile_strength};
   if (law.restitution > 0 && (!law.has_no_spring() || law.bonds())) {
     refuse(HS_ERROR_ARGUMENT,
            "law.restitution is %g; it must be 0 unless stiffness_kind is HS_STIFFNESS_NONE and cohesion and "

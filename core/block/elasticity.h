@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "geometry/numbers.h"
 #include "geometry/vector.h"
@@ -15,10 +16,18 @@ struct Elasticity {
   double shear_modulus = 0;
   double damping_time = 0;  // s, Rayleigh's beta: viscous stress = damping_time * stiffness * strain rate
 
+  // As the host gave it; no step reads these.
+  double young_modulus = 0;  // Pa
+  double poisson_ratio = 0;
+  std::int32_t is_plane_stress = 0;
+  std::int32_t reserved = 0;  // explicit padding of saved elasticities
+
   bool is_given() const { return shear_modulus > 0; }
   /// False for data of a damaged snapshot.
   bool is_consistent() const {
-    return is_finite(lame) && is_nonnegative(shear_modulus) && is_nonnegative(damping_time);
+    return is_finite(lame) && is_nonnegative(shear_modulus) && is_nonnegative(damping_time) &&
+           is_nonnegative(young_modulus) && is_finite(poisson_ratio) && is_plane_stress >= 0 &&
+           is_plane_stress <= 1;
   }
 
   template <int D>

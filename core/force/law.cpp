@@ -10,7 +10,9 @@ bool ContactLaw::is_consistent() const {
   return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::last &&
          is_positive(normal_stiffness) && is_nonnegative(shear_stiffness) && is_nonnegative(tan_friction) &&
          is_nonnegative(cohesion) && is_nonnegative(tensile_strength) && is_nonnegative(normal_damping) &&
-         is_nonnegative(shear_damping) && restitution >= 0 && restitution <= 1;
+         is_nonnegative(shear_damping) && restitution >= 0 && restitution <= 1 &&
+         is_nonnegative(given.shear_stiffness) && is_nonnegative(given.friction_angle) &&
+         is_nonnegative(given.cohesion) && is_nonnegative(given.tensile_strength);
 }
 
 ContactLaw ContactLaw::weaker_by(double factor) const {

@@ -11,6 +11,14 @@ namespace halfspace {
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
+/// What a host gave of a law where the law itself has something else.
+struct LawAsGiven {
+  double shear_stiffness = 0;   // 0: as the normal one
+  double friction_angle = 0;    // rad; this and what follows: before division by the strength factor
+  double cohesion = 0;          // Pa
+  double tensile_strength = 0;  // Pa
+};
+
 /// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same
 /// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4), where stiffness
 /// and damping are unused.
@@ -25,6 +33,7 @@ struct ContactLaw {
   double normal_damping = 0.1;    // ratio to critical; at 0, friction on springs excites vibrations
   double shear_damping = 0.1;     // ratio to critical, likewise
   double restitution = 0;         // without springs: velocity after an impact over that before
+  LawAsGiven given;               // no step reads it
 
   bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
   bool resists_shear() const {
@@ -89,6 +98,10 @@ class LawTable {
     const std::int32_t own = law_of_pair_[index(a, b)];
     return own < 0 ? default_ : own_[std::size_t(own)];
   }
+
+  /// The law of all pairs without one of their own.
+  const ContactLaw& default_law() const { return default_; }
+  bool has_own(std::int32_t a, std::int32_t b) const { return law_of_pair_[index(a, b)] >= 0; }
 
   /// True if a potential law has ever been set; costs no loop over pairs.
   bool knows_potential() const { return knows_potential_; }

@@ -114,6 +114,8 @@ class Actions {
   bool any(Condition condition) const {
     return std::any_of(actions_.begin(), actions_.end(), condition);
   }
+  /// On blocks, in the order in which they were added.
+  const Array<Action<D>>& on_blocks() const { return actions_; }
   const Tables& tables() const { return tables_; }
   std::int32_t add_table(std::span<const double> times, std::span<const Vector<3>> values) {
     return tables_.add(times, values);

@@ -19,6 +19,8 @@ class Table {
  public:
   Table(std::span<const double> times, std::span<const Vector<3>> values) : times_(times), values_(values) {}
 
+  std::span<const double> times() const { return times_; }
+  std::span<const Vector<3>> values() const { return values_; }
   /// At a jump the later value.
   Vector<3> at(double time) const;
   /// Exact to rounding, also over bends and jumps.
