@@ -25,7 +25,7 @@ CONSTANTS_HEAD = """\
 module halfspace_constants
 """
 RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance", "hs_ray_hit",
-           "hs_closest_points"]
+           "hs_closest_points", "hs_note"]
 # halfspace_bond and halfspace_bolt say how one is made.
 NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state"}
 

@@ -18,6 +18,7 @@ ENUMERATIONS = {
     "HS_ACTION_": (None, "ActionKind"),
     "HS_PLACE_": (None, "ForcePlace"),
     "HS_ROLE_": ("Role", "Role"),
+    "HS_SETTING_": ("Setting", "Setting"),
 }
 SUMS = {"HS_PART_"}  # of several constants at once
 
@@ -62,6 +63,9 @@ MEANINGS = {
     "hs_share_info.is_whole": FLAG,
     "hs_share_plan.needs_list": FLAG,
     "hs_share_plan.needs_assembly": FLAG,
+    "hs_note.setting": "HS_SETTING_",
+    "hs_note.material_a": INDEX_OR_NONE,
+    "hs_note.material_b": INDEX_OR_NONE,
     "hs_action_def.kind": "HS_ACTION_",
     "hs_action_def.place": "HS_PLACE_",
     "hs_action_def.table": INDEX,

@@ -37,6 +37,12 @@ impl Default for {name} {{
     }}
 }}
 '''
+READER = '''
+    /// All settings, as fields with the names and values of the C interface.
+    pub fn values(&self) -> &sys::{struct} {{
+        &self.raw
+    }}
+'''
 BUILDERS = {
     "hs_action_def": "Action",
     "hs_law_def": "Law",
@@ -50,13 +56,17 @@ BUILDERS = {
     "hs_strength_def": "StrengthSearch",
 }
 NO_DEFAULT = {"hs_world_def", "hs_action_def"}  # without a dimension, without a table
+READ = {"hs_action_def", "hs_law_def", "hs_world_def", "hs_elasticity_def"}  # that a world returns
 BY_HAND = {"hs_action_def.point"}  # together with the place
 
 
 def write(api):
     lines = HEAD.format_map(api).splitlines()
     for struct_name, name in BUILDERS.items():
-        lines += ["", f"impl {name} {{", *functions(meanings.find(api, struct_name))[1:], "}"]
+        lines += ["", f"impl {name} {{", *functions(meanings.find(api, struct_name))[1:]]
+        if struct_name in READ:
+            lines += READER.format(struct=struct_name).rstrip().splitlines()
+        lines.append("}")
         if struct_name not in NO_DEFAULT:
             lines += DEFAULT.format(name=name, struct=struct_name).rstrip().splitlines()
     return "\n".join(lines) + "\n"

@@ -20,7 +20,7 @@ use crate::block::{{Block, Material}};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::impact::Impact;
-use crate::kinds::{{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind}};
+use crate::kinds::{{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind, Setting}};
 use crate::pose::Pose;
 use crate::world::World;
 '''
@@ -55,6 +55,7 @@ RECORDS = {
     "hs_bond_event": Record("BondEvent"),
     "hs_bond_report": Record("BondReport"),
     "hs_bolt": Record("BoltState"),
+    "hs_note": Record("Note"),
     "hs_body_state": Record("BodyState"),
     "hs_mesh_properties": Record("MeshProperties"),
     "hs_shape_properties": Record("ShapeProperties"),

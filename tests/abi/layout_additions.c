@@ -56,6 +56,16 @@ FIELD(hs_bolt, loss, 104, 8);
 FIELD(hs_bolt, is_ruptured, 112, 4);
 FIELD(hs_bolt, reserved, 116, 4);
 
+_Static_assert(sizeof(hs_note) == 48, "hs_note");
+FIELD(hs_note, setting, 0, 4);
+FIELD(hs_note, material_a, 4, 4);
+FIELD(hs_note, material_b, 8, 4);
+FIELD(hs_note, reserved, 12, 4);
+FIELD(hs_note, block, 16, 8);
+FIELD(hs_note, value, 24, 8);
+FIELD(hs_note, usual_low, 32, 8);
+FIELD(hs_note, usual_high, 40, 8);
+
 FIELD(hs_world_plan, bolt_count, 232, 8);
 FIELD(hs_world_plan, water_seconds, 240, 8);
 FIELD(hs_world_plan, bolt_seconds, 248, 8);
@@ -118,6 +128,26 @@ _Static_assert(HS_ACTION_SERVO == 6, "HS_ACTION_SERVO");
 _Static_assert(HS_PLACE_CENTROID == 0, "HS_PLACE_CENTROID");
 _Static_assert(HS_PLACE_CARRIED == 1, "HS_PLACE_CARRIED");
 _Static_assert(HS_PLACE_FIXED == 2, "HS_PLACE_FIXED");
+
+_Static_assert(HS_SETTING_GRAVITY == 0, "HS_SETTING_GRAVITY");
+_Static_assert(HS_SETTING_MASS_DAMPING == 1, "HS_SETTING_MASS_DAMPING");
+_Static_assert(HS_SETTING_PARALLEL_ANGLE == 2, "HS_SETTING_PARALLEL_ANGLE");
+_Static_assert(HS_SETTING_DENSITY == 3, "HS_SETTING_DENSITY");
+_Static_assert(HS_SETTING_YOUNG_MODULUS == 4, "HS_SETTING_YOUNG_MODULUS");
+_Static_assert(HS_SETTING_POISSON_RATIO == 5, "HS_SETTING_POISSON_RATIO");
+_Static_assert(HS_SETTING_DAMPING_TIME == 6, "HS_SETTING_DAMPING_TIME");
+_Static_assert(HS_SETTING_NORMAL_STIFFNESS == 7, "HS_SETTING_NORMAL_STIFFNESS");
+_Static_assert(HS_SETTING_SHEAR_STIFFNESS == 8, "HS_SETTING_SHEAR_STIFFNESS");
+_Static_assert(HS_SETTING_FRICTION_ANGLE == 9, "HS_SETTING_FRICTION_ANGLE");
+_Static_assert(HS_SETTING_COHESION == 10, "HS_SETTING_COHESION");
+_Static_assert(HS_SETTING_TENSILE_STRENGTH == 11, "HS_SETTING_TENSILE_STRENGTH");
+_Static_assert(HS_SETTING_NORMAL_DAMPING == 12, "HS_SETTING_NORMAL_DAMPING");
+_Static_assert(HS_SETTING_SHEAR_DAMPING == 13, "HS_SETTING_SHEAR_DAMPING");
+_Static_assert(HS_SETTING_BOND_NORMAL_STIFFNESS == 14, "HS_SETTING_BOND_NORMAL_STIFFNESS");
+_Static_assert(HS_SETTING_BOND_SHEAR_STIFFNESS == 15, "HS_SETTING_BOND_SHEAR_STIFFNESS");
+_Static_assert(HS_SETTING_TENSILE_FRACTURE_ENERGY == 16, "HS_SETTING_TENSILE_FRACTURE_ENERGY");
+_Static_assert(HS_SETTING_SHEAR_FRACTURE_ENERGY == 17, "HS_SETTING_SHEAR_FRACTURE_ENERGY");
+_Static_assert(HS_SETTING_VELOCITY == 18, "HS_SETTING_VELOCITY");
 
 _Static_assert(HS_PART_WATER == 1024, "HS_PART_WATER");
 _Static_assert(HS_PART_BOLTS == 2048, "HS_PART_BOLTS");

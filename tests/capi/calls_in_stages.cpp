@@ -42,7 +42,8 @@ bool is_piece(const std::string& name) {
 bool is_query(const std::string& name) {
   constexpr const char* get = "hs_world_get_";
   return (name.rfind(get, 0) == 0 && !is_one_of(name, {"hs_world_get_balance", "hs_world_get_loads"})) ||
-         is_one_of(name, {"hs_world_cast_ray", "hs_world_detect"}) || name.rfind("hs_world_", 0) != 0 ||
+         is_one_of(name, {"hs_world_cast_ray", "hs_world_check", "hs_world_detect"}) ||
+         name.rfind("hs_world_", 0) != 0 ||
          is_one_of(name, {"hs_world_def_init", "hs_world_create", "hs_world_destroy", "hs_world_restore"});
 }
 

@@ -463,9 +463,10 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
 
 std::vector<EntryPoint> entry_points() {
   std::vector<EntryPoint> all;
-  for (const auto& part : {entry_points_of_shapes_and_blocks(), entry_points_of_meshes(),
-                           entry_points_of_actions(), entry_points_of_bonds(), entry_points_of_compounds(),
-                           entry_points_of_rest(), entry_points_of_loads(), entry_points_of_shares()})
+  for (const auto& part :
+       {entry_points_of_shapes_and_blocks(), entry_points_of_meshes(), entry_points_of_actions(),
+        entry_points_of_bonds(), entry_points_of_compounds(), entry_points_of_rest(), entry_points_of_loads(),
+        entry_points_of_shares(), entry_points_of_definitions()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -31,6 +31,7 @@ struct Written {
   hs_cell_state cells[4];
   hs_bond bonds[2];
   hs_bolt bolts[2];
+  hs_note notes[2];
   hs_bond_event events[2];
   hs_bond_report bond_report;
   hs_balance balance;
@@ -98,6 +99,7 @@ std::vector<EntryPoint> entry_points_of_compounds();
 std::vector<EntryPoint> entry_points_of_rest();
 std::vector<EntryPoint> entry_points_of_loads();
 std::vector<EntryPoint> entry_points_of_shares();
+std::vector<EntryPoint> entry_points_of_definitions();
 
 /// A step after changes that leave different things known: contacts, forces, bonds.
 std::vector<EntryPoint> steps_of_changed_worlds();

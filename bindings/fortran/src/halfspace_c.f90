@@ -150,6 +150,27 @@ module halfspace_c
   integer(c_int32_t), parameter :: HS_BOND_TENSION = 1  !< failed by opening
   integer(c_int32_t), parameter :: HS_BOND_SHEAR = 2  !< failed by sliding
 
+  !> Settings that have a usual range.
+  integer(c_int32_t), parameter :: HS_SETTING_GRAVITY = 0  !< of a world, m/s2
+  integer(c_int32_t), parameter :: HS_SETTING_MASS_DAMPING = 1  !< of a world, 1/s
+  integer(c_int32_t), parameter :: HS_SETTING_PARALLEL_ANGLE = 2  !< of a world, rad
+  integer(c_int32_t), parameter :: HS_SETTING_DENSITY = 3  !< of a material, kg/m3
+  integer(c_int32_t), parameter :: HS_SETTING_YOUNG_MODULUS = 4  !< of a material, Pa
+  integer(c_int32_t), parameter :: HS_SETTING_POISSON_RATIO = 5  !< of a material
+  integer(c_int32_t), parameter :: HS_SETTING_DAMPING_TIME = 6  !< of a material, s
+  integer(c_int32_t), parameter :: HS_SETTING_NORMAL_STIFFNESS = 7  !< of a law, N/m, Pa/m or Pa
+  integer(c_int32_t), parameter :: HS_SETTING_SHEAR_STIFFNESS = 8  !< of a law, N/m or Pa/m
+  integer(c_int32_t), parameter :: HS_SETTING_FRICTION_ANGLE = 9  !< of a law or a bond, rad
+  integer(c_int32_t), parameter :: HS_SETTING_COHESION = 10  !< of a law or a bond, Pa
+  integer(c_int32_t), parameter :: HS_SETTING_TENSILE_STRENGTH = 11  !< of a law or a bond, Pa
+  integer(c_int32_t), parameter :: HS_SETTING_NORMAL_DAMPING = 12  !< of a law or a bond, damping ratio
+  integer(c_int32_t), parameter :: HS_SETTING_SHEAR_DAMPING = 13  !< of a law or a bond, damping ratio
+  integer(c_int32_t), parameter :: HS_SETTING_BOND_NORMAL_STIFFNESS = 14  !< Pa/m
+  integer(c_int32_t), parameter :: HS_SETTING_BOND_SHEAR_STIFFNESS = 15  !< Pa/m
+  integer(c_int32_t), parameter :: HS_SETTING_TENSILE_FRACTURE_ENERGY = 16  !< of a bond, J/m2
+  integer(c_int32_t), parameter :: HS_SETTING_SHEAR_FRACTURE_ENERGY = 17  !< of a bond, J/m2
+  integer(c_int32_t), parameter :: HS_SETTING_VELOCITY = 18  !< of a block, m/s
+
   !> Results of hs_pair_time_of_impact().
   integer(c_int32_t), parameter :: HS_IMPACT_NEVER = 0  !< the shapes do not touch within the duration
   integer(c_int32_t), parameter :: HS_IMPACT_AT_START = 1  !< the shapes touch at time 0
@@ -621,6 +642,18 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< J, current, of the springs of bonds; part of hs_energy.strain
     real(c_double) :: fracture_loss = 0.0_c_double  !< J, dissipated so far; included in the residual
   end type hs_bond_report
+
+  !> A setting with an unusual value.
+  type, bind(c) :: hs_note
+    integer(c_int32_t) :: setting = 0  !< an HS_SETTING_ value
+    integer(c_int32_t) :: material_a = 0  !< of a setting of a material or a law: index; -1: of the default law, and of others
+    integer(c_int32_t) :: material_b = 0  !< of a law of two materials: index of the second; -1: of others
+    integer(c_int32_t) :: reserved = 0  !< 0
+    integer(c_int64_t) :: block = 0  !< of a setting of a block: id; 0: of others
+    real(c_double) :: value = 0.0_c_double  !< of the setting, in the unit of the setting; of a vector its length
+    real(c_double) :: usual_low = 0.0_c_double  !< smallest usual value but 0, which is usual, too
+    real(c_double) :: usual_high = 0.0_c_double  !< largest usual value
+  end type hs_note
 
   !> Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it
   !! with hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame)
@@ -2036,6 +2069,37 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_bond_report
     end function hs_world_get_bond_report
 
+    !> Returns the usual range of a setting. 0 is usual, too.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    function hs_setting_get_usual(setting, low, high) bind(c)
+      import
+      integer(c_int32_t), value :: setting  !< an HS_SETTING_ value
+      real(c_double), intent(out) :: low  !< receives the smallest usual value, in the unit of the setting
+      real(c_double), intent(out) :: high  !< receives the largest usual value
+      integer(c_int32_t) :: hs_setting_get_usual
+    end function hs_setting_get_usual
+
+    !> Returns the usual range of a setting in words, e.g. "50 to 19500 kg/m3, 2700 of rock".
+    !! Returns a static string, never NULL; owned by the library. Thread rule: any thread, any time.
+    function hs_setting_usual_text(setting) bind(c)
+      import
+      integer(c_int32_t), value :: setting  !< any value; "" for those that are no HS_SETTING_ value
+      type(c_ptr) :: hs_setting_usual_text
+    end function hs_setting_usual_text
+
+    !> Bulk: notes on the settings of a world with unusual values: those of the world, of the default law, of
+    !! materials, of laws of two materials, of blocks. Bonds are not looked at, as a world keeps no settings
+    !! of them.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT. Thread rule: as for the world.
+    function hs_world_check(world, notes, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: notes  !< receives them; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in notes
+      type(c_ptr), value :: count  !< receives the number of notes; may be NULL
+      integer(c_int32_t) :: hs_world_check
+    end function hs_world_check
+
     !> Fills a block definition with its defaults for a compound.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY
     function hs_compound_def_init(def, size, shapes, poses, part_count) bind(c)
@@ -2090,6 +2154,90 @@ module halfspace_c
       type(c_ptr), value :: part  !< receives the index of the part, or -1; may be NULL
       integer(c_int32_t) :: hs_world_get_compound_of_block
     end function hs_world_get_compound_of_block
+
+    !> Returns the settings of a world, with gravity, damping and time step as they were set last. A world of
+    !! the same settings is made by hs_world_create() of what this returns.
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_def(world, def, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_world_def), intent(out) :: def  !< receives them
+      integer(c_size_t), value :: size  !< sizeof(hs_world_def) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_def
+    end function hs_world_get_def
+
+    !> Bulk: densities of all materials, by their index. Their count is the number of materials.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    function hs_world_get_densities(world, densities, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(c_ptr), value :: densities  !< receives them, kg/m3; may be NULL if capacity is 0
+      integer(c_int64_t), value :: capacity  !< in densities
+      type(c_ptr), value :: count  !< receives the number of materials; may be NULL
+      integer(c_int32_t) :: hs_world_get_densities
+    end function hs_world_get_densities
+
+    !> Returns the elasticity of a material.
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_elasticity(world, material, elasticity, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material  !< index
+      type(hs_elasticity_def), intent(out) :: elasticity  !< receives it; its young_modulus is 0 if the material has none
+      integer(c_size_t), value :: size  !< sizeof(hs_elasticity_def) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_elasticity
+    end function hs_world_get_elasticity
+
+    !> Returns the law of all pairs of materials without a law of their own. Strengths are those that were
+    !! given, before division by the factor of hs_world_set_strength_factor().
+    !! Returns HS_OK or HS_ERROR_ARGUMENT
+    function hs_world_get_default_law(world, law, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      type(hs_law_def), intent(out) :: law  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_law_def) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_default_law
+    end function hs_world_get_default_law
+
+    !> Returns the law of two materials, in either order: their own, or the default law. Strengths are those
+    !! that were given, before division by the factor of hs_world_set_strength_factor().
+    !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_law(world, material_a, material_b, law, size) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: material_a  !< indices, may be the same
+      integer(c_int32_t), value :: material_b  !< indices, may be the same
+      type(hs_law_def), intent(out) :: law  !< receives it
+      integer(c_size_t), value :: size  !< sizeof(hs_law_def) as the caller was compiled
+      integer(c_int32_t) :: hs_world_get_law
+    end function hs_world_get_law
+
+    !> Returns the rows of a table.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_table(world, table, times, values, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int32_t), value :: table  !< index from hs_world_add_table()
+      type(c_ptr), value :: times  !< receives one per row, s; may be NULL if values.count is 0
+      type(hs_mutable_view), value :: values  !< receives one per row: its count is the capacity of both; without z, z is left out
+      type(c_ptr), value :: count  !< receives the number of rows; may be NULL
+      integer(c_int32_t) :: hs_world_get_table
+    end function hs_world_get_table
+
+    !> Bulk: the actions on a block, in the order in which they were added. Those that ended are left out.
+    !! Where a later motion ended one along some axes, its scale is 0 there. A point of HS_PLACE_CARRIED is
+    !! where it is now, to rounding.
+    !! Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    function hs_world_get_actions(world, block, actions, size, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: world  !< not NULL
+      integer(c_int64_t), value :: block  !< id, or 0: actions on all blocks
+      type(c_ptr), value :: actions  !< receives them; may be NULL if capacity is 0
+      integer(c_size_t), value :: size  !< sizeof(hs_action_def) as the caller was compiled
+      integer(c_int64_t), value :: capacity  !< in actions
+      type(c_ptr), value :: count  !< receives the number of actions; may be NULL
+      integer(c_int32_t) :: hs_world_get_actions
+    end function hs_world_get_actions
 
     !> Fills a motion with its defaults: at rest at the origin, without rotation.
     !! Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.

@@ -8,7 +8,7 @@ module halfspace_records
   implicit none
   private
   public :: halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
-    halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points
+    halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points, halfspace_note
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
   !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
@@ -129,5 +129,18 @@ module halfspace_records
     real(c_double) :: point_b(3) = 0.0_c_double  !< point of b; when the shapes overlap, the same point, to rounding
     real(c_double) :: normal(3) = 0.0_c_double  !< unit vector from a to b; 0 when the distance is 0
   end type halfspace_closest_points
+
+  !> A setting with an unusual value.
+  type, bind(c) :: halfspace_note
+    integer(c_int32_t) :: setting = 0  !< an HS_SETTING_ value
+    !> of a setting of a material or a law: index; 0: of the default law, and of others
+    integer(c_int32_t) :: material_a = 0
+    integer(c_int32_t) :: material_b = 0  !< of a law of two materials: index of the second; 0: of others
+    integer(c_int32_t), private :: reserved = 0  !< 0
+    type(halfspace_block) :: block  !< of a setting of a block: id; 0: of others
+    real(c_double) :: value = 0.0_c_double  !< of the setting, in the unit of the setting; of a vector its length
+    real(c_double) :: usual_low = 0.0_c_double  !< smallest usual value but 0, which is usual, too
+    real(c_double) :: usual_high = 0.0_c_double  !< largest usual value
+  end type halfspace_note
 
 end module halfspace_records

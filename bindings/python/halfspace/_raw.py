@@ -174,6 +174,27 @@ HS_BOND_HOLDS = 0  # intact
 HS_BOND_TENSION = 1  # failed by opening
 HS_BOND_SHEAR = 2  # failed by sliding
 
+# Settings that have a usual range.
+HS_SETTING_GRAVITY = 0  # of a world, m/s2
+HS_SETTING_MASS_DAMPING = 1  # of a world, 1/s
+HS_SETTING_PARALLEL_ANGLE = 2  # of a world, rad
+HS_SETTING_DENSITY = 3  # of a material, kg/m3
+HS_SETTING_YOUNG_MODULUS = 4  # of a material, Pa
+HS_SETTING_POISSON_RATIO = 5  # of a material
+HS_SETTING_DAMPING_TIME = 6  # of a material, s
+HS_SETTING_NORMAL_STIFFNESS = 7  # of a law, N/m, Pa/m or Pa
+HS_SETTING_SHEAR_STIFFNESS = 8  # of a law, N/m or Pa/m
+HS_SETTING_FRICTION_ANGLE = 9  # of a law or a bond, rad
+HS_SETTING_COHESION = 10  # of a law or a bond, Pa
+HS_SETTING_TENSILE_STRENGTH = 11  # of a law or a bond, Pa
+HS_SETTING_NORMAL_DAMPING = 12  # of a law or a bond, damping ratio
+HS_SETTING_SHEAR_DAMPING = 13  # of a law or a bond, damping ratio
+HS_SETTING_BOND_NORMAL_STIFFNESS = 14  # Pa/m
+HS_SETTING_BOND_SHEAR_STIFFNESS = 15  # Pa/m
+HS_SETTING_TENSILE_FRACTURE_ENERGY = 16  # of a bond, J/m2
+HS_SETTING_SHEAR_FRACTURE_ENERGY = 17  # of a bond, J/m2
+HS_SETTING_VELOCITY = 18  # of a block, m/s
+
 # Results of hs_pair_time_of_impact().
 HS_IMPACT_NEVER = 0  # the shapes do not touch within the duration
 HS_IMPACT_AT_START = 1  # the shapes touch at time 0
@@ -778,6 +799,22 @@ class hs_bond_report(_Struct):
         ("crack_area", c_double),  # total area of the failed points, m2; in 2D a length, m
         ("strain_energy", c_double),  # J, current, of the springs of bonds; part of hs_energy.strain
         ("fracture_loss", c_double),  # J, dissipated so far; included in the residual
+    ]
+
+
+class hs_note(_Struct):
+    """A setting with an unusual value."""
+
+    _fields_ = [
+        ("setting", c_int32),  # an HS_SETTING_ value
+        # of a setting of a material or a law: index; -1: of the default law, and of others
+        ("material_a", c_int32),
+        ("material_b", c_int32),  # of a law of two materials: index of the second; -1: of others
+        ("reserved", c_int32),  # 0
+        ("block", hs_block),  # of a setting of a block: id; 0: of others
+        ("value", c_double),  # of the setting, in the unit of the setting; of a vector its length
+        ("usual_low", c_double),  # smallest usual value but 0, which is usual, too
+        ("usual_high", c_double),  # largest usual value
     ]
 
 
@@ -1960,6 +1997,31 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_get_bond_report.restype = hs_status
 
+    # Returns the usual range of a setting. 0 is usual, too.
+    library.hs_setting_get_usual.argtypes = [
+        c_int32,  # setting
+        POINTER(c_double),  # low
+        POINTER(c_double),  # high
+    ]
+    library.hs_setting_get_usual.restype = hs_status
+
+    # Returns the usual range of a setting in words, e.g. "50 to 19500 kg/m3, 2700 of rock".
+    library.hs_setting_usual_text.argtypes = [
+        c_int32,  # setting
+    ]
+    library.hs_setting_usual_text.restype = c_char_p
+
+    # Bulk: notes on the settings of a world with unusual values: those of the world, of the default law, of
+    # materials, of laws of two materials, of blocks. Bonds are not looked at, as a world keeps no settings of
+    # them.
+    library.hs_world_check.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # notes
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_check.restype = hs_status
+
     # Fills a block definition with its defaults for a compound.
     library.hs_compound_def_init.argtypes = [
         POINTER(hs_block_def),  # def
@@ -1999,6 +2061,76 @@ def declare(library: Any) -> None:
         POINTER(c_int32),  # part
     ]
     library.hs_world_get_compound_of_block.restype = hs_status
+
+    # Returns the settings of a world, with gravity, damping and time step as they were set last. A world of
+    # the same settings is made by hs_world_create() of what this returns.
+    library.hs_world_get_def.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_world_def),  # def
+        c_size_t,  # size
+    ]
+    library.hs_world_get_def.restype = hs_status
+
+    # Bulk: densities of all materials, by their index. Their count is the number of materials.
+    library.hs_world_get_densities.argtypes = [
+        POINTER(hs_world),  # world
+        c_void_p,  # densities
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_densities.restype = hs_status
+
+    # Returns the elasticity of a material.
+    library.hs_world_get_elasticity.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material
+        POINTER(hs_elasticity_def),  # elasticity
+        c_size_t,  # size
+    ]
+    library.hs_world_get_elasticity.restype = hs_status
+
+    # Returns the law of all pairs of materials without a law of their own. Strengths are those that were
+    # given, before division by the factor of hs_world_set_strength_factor().
+    library.hs_world_get_default_law.argtypes = [
+        POINTER(hs_world),  # world
+        POINTER(hs_law_def),  # law
+        c_size_t,  # size
+    ]
+    library.hs_world_get_default_law.restype = hs_status
+
+    # Returns the law of two materials, in either order: their own, or the default law. Strengths are those
+    # that were given, before division by the factor of hs_world_set_strength_factor().
+    library.hs_world_get_law.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # material_a
+        c_int32,  # material_b
+        POINTER(hs_law_def),  # law
+        c_size_t,  # size
+    ]
+    library.hs_world_get_law.restype = hs_status
+
+    # Returns the rows of a table.
+    library.hs_world_get_table.argtypes = [
+        POINTER(hs_world),  # world
+        c_int32,  # table
+        c_void_p,  # times
+        hs_mutable_view,  # values
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_table.restype = hs_status
+
+    # Bulk: the actions on a block, in the order in which they were added. Those that ended are left out.
+    # Where a later motion ended one along some axes, its scale is 0 there. A point of HS_PLACE_CARRIED is
+    # where it is now, to rounding.
+    library.hs_world_get_actions.argtypes = [
+        POINTER(hs_world),  # world
+        hs_block,  # block
+        c_void_p,  # actions
+        c_size_t,  # size
+        c_int64,  # capacity
+        POINTER(c_int64),  # count
+    ]
+    library.hs_world_get_actions.restype = hs_status
 
     # Fills a motion with its defaults: at rest at the origin, without rotation.
     library.hs_motion_def_init.argtypes = [

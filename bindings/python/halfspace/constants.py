@@ -156,6 +156,30 @@ class BondFailure(IntEnum):
     SHEAR = _raw.HS_BOND_SHEAR  # failed by sliding
 
 
+class Setting(IntEnum):
+    """Settings that have a usual range."""
+
+    GRAVITY = _raw.HS_SETTING_GRAVITY  # of a world, m/s2
+    MASS_DAMPING = _raw.HS_SETTING_MASS_DAMPING  # of a world, 1/s
+    PARALLEL_ANGLE = _raw.HS_SETTING_PARALLEL_ANGLE  # of a world, rad
+    DENSITY = _raw.HS_SETTING_DENSITY  # of a material, kg/m3
+    YOUNG_MODULUS = _raw.HS_SETTING_YOUNG_MODULUS  # of a material, Pa
+    POISSON_RATIO = _raw.HS_SETTING_POISSON_RATIO  # of a material
+    DAMPING_TIME = _raw.HS_SETTING_DAMPING_TIME  # of a material, s
+    NORMAL_STIFFNESS = _raw.HS_SETTING_NORMAL_STIFFNESS  # of a law, N/m, Pa/m or Pa
+    SHEAR_STIFFNESS = _raw.HS_SETTING_SHEAR_STIFFNESS  # of a law, N/m or Pa/m
+    FRICTION_ANGLE = _raw.HS_SETTING_FRICTION_ANGLE  # of a law or a bond, rad
+    COHESION = _raw.HS_SETTING_COHESION  # of a law or a bond, Pa
+    TENSILE_STRENGTH = _raw.HS_SETTING_TENSILE_STRENGTH  # of a law or a bond, Pa
+    NORMAL_DAMPING = _raw.HS_SETTING_NORMAL_DAMPING  # of a law or a bond, damping ratio
+    SHEAR_DAMPING = _raw.HS_SETTING_SHEAR_DAMPING  # of a law or a bond, damping ratio
+    BOND_NORMAL_STIFFNESS = _raw.HS_SETTING_BOND_NORMAL_STIFFNESS  # Pa/m
+    BOND_SHEAR_STIFFNESS = _raw.HS_SETTING_BOND_SHEAR_STIFFNESS  # Pa/m
+    TENSILE_FRACTURE_ENERGY = _raw.HS_SETTING_TENSILE_FRACTURE_ENERGY  # of a bond, J/m2
+    SHEAR_FRACTURE_ENERGY = _raw.HS_SETTING_SHEAR_FRACTURE_ENERGY  # of a bond, J/m2
+    VELOCITY = _raw.HS_SETTING_VELOCITY  # of a block, m/s
+
+
 class ImpactState(IntEnum):
     """Results of hs_pair_time_of_impact()."""
 

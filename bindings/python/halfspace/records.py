@@ -671,6 +671,41 @@ class BondReport(Record):
 BOND_REPORT = record_type(BondReport, _raw.hs_bond_report)
 
 
+class Note(Record):
+    """A setting with an unusual value.
+
+    Attributes
+    ----------
+    setting : Setting
+        an HS_SETTING_ value
+    material_a : int
+        of a setting of a material or a law: index; -1: of the default law, and of others
+    material_b : int
+        of a law of two materials: index of the second; -1: of others
+    block : int
+        of a setting of a block: id; 0: of others
+    value : float
+        of the setting, in the unit of the setting; of a vector its length
+    usual_low : float
+        smallest usual value but 0, which is usual, too
+    usual_high : float
+        largest usual value
+    """
+
+    setting: constants.Setting
+    material_a: int
+    material_b: int
+    block: int
+    value: float
+    usual_low: float
+    usual_high: float
+
+    _kinds = {"setting": constants.Setting}
+
+
+NOTE = record_type(Note, _raw.hs_note)
+
+
 class Impact(Record):
     """First touch of two moving shapes.
 

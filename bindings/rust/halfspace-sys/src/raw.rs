@@ -230,6 +230,46 @@ pub const HS_BOND_TENSION: i32 = 1;
 /// failed by sliding
 pub const HS_BOND_SHEAR: i32 = 2;
 
+// Settings that have a usual range.
+/// of a world, m/s2
+pub const HS_SETTING_GRAVITY: i32 = 0;
+/// of a world, 1/s
+pub const HS_SETTING_MASS_DAMPING: i32 = 1;
+/// of a world, rad
+pub const HS_SETTING_PARALLEL_ANGLE: i32 = 2;
+/// of a material, kg/m3
+pub const HS_SETTING_DENSITY: i32 = 3;
+/// of a material, Pa
+pub const HS_SETTING_YOUNG_MODULUS: i32 = 4;
+/// of a material
+pub const HS_SETTING_POISSON_RATIO: i32 = 5;
+/// of a material, s
+pub const HS_SETTING_DAMPING_TIME: i32 = 6;
+/// of a law, N/m, Pa/m or Pa
+pub const HS_SETTING_NORMAL_STIFFNESS: i32 = 7;
+/// of a law, N/m or Pa/m
+pub const HS_SETTING_SHEAR_STIFFNESS: i32 = 8;
+/// of a law or a bond, rad
+pub const HS_SETTING_FRICTION_ANGLE: i32 = 9;
+/// of a law or a bond, Pa
+pub const HS_SETTING_COHESION: i32 = 10;
+/// of a law or a bond, Pa
+pub const HS_SETTING_TENSILE_STRENGTH: i32 = 11;
+/// of a law or a bond, damping ratio
+pub const HS_SETTING_NORMAL_DAMPING: i32 = 12;
+/// of a law or a bond, damping ratio
+pub const HS_SETTING_SHEAR_DAMPING: i32 = 13;
+/// Pa/m
+pub const HS_SETTING_BOND_NORMAL_STIFFNESS: i32 = 14;
+/// Pa/m
+pub const HS_SETTING_BOND_SHEAR_STIFFNESS: i32 = 15;
+/// of a bond, J/m2
+pub const HS_SETTING_TENSILE_FRACTURE_ENERGY: i32 = 16;
+/// of a bond, J/m2
+pub const HS_SETTING_SHEAR_FRACTURE_ENERGY: i32 = 17;
+/// of a block, m/s
+pub const HS_SETTING_VELOCITY: i32 = 18;
+
 // Results of hs_pair_time_of_impact().
 /// the shapes do not touch within the duration
 pub const HS_IMPACT_NEVER: i32 = 0;
@@ -1071,6 +1111,29 @@ pub struct hs_bond_report {
     pub fracture_loss: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_bond_report>() == 48);
+
+/// A setting with an unusual value.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct hs_note {
+    /// an HS_SETTING_ value
+    pub setting: i32,
+    /// of a setting of a material or a law: index; -1: of the default law, and of others
+    pub material_a: i32,
+    /// of a law of two materials: index of the second; -1: of others
+    pub material_b: i32,
+    /// 0
+    pub reserved: i32,
+    /// of a setting of a block: id; 0: of others
+    pub block: hs_block,
+    /// of the setting, in the unit of the setting; of a vector its length
+    pub value: f64,
+    /// smallest usual value but 0, which is usual, too
+    pub usual_low: f64,
+    /// largest usual value
+    pub usual_high: f64,
+}
+const _: () = assert!(std::mem::size_of::<hs_note>() == 48);
 
 /// Motion of a shape with constant linear and angular velocity and constant rate of deformation. Fill it with
 /// hs_motion_def_init(): at rest at the origin. At time t the material point X (in the shape's frame) is at
@@ -2828,6 +2891,39 @@ extern "C" {
         size: usize,
     ) -> hs_status;
 
+    /// Returns the usual range of a setting. 0 is usual, too.
+    ///
+    /// - `setting`: an HS_SETTING_ value
+    /// - `low`: receives the smallest usual value, in the unit of the setting
+    /// - `high`: receives the largest usual value
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
+    pub fn hs_setting_get_usual(setting: i32, low: *mut f64, high: *mut f64) -> hs_status;
+
+    /// Returns the usual range of a setting in words, e.g. "50 to 19500 kg/m3, 2700 of rock".
+    ///
+    /// - `setting`: any value; "" for those that are no HS_SETTING_ value
+    ///
+    /// Returns a static string, never NULL; owned by the library. Thread rule: any thread, any time.
+    pub fn hs_setting_usual_text(setting: i32) -> *const c_char;
+
+    /// Bulk: notes on the settings of a world with unusual values: those of the world, of the default law, of
+    /// materials, of laws of two materials, of blocks. Bonds are not looked at, as a world keeps no settings
+    /// of them.
+    ///
+    /// - `world`: not NULL
+    /// - `notes`: receives them; may be NULL if capacity is 0
+    /// - `capacity`: in notes
+    /// - `count`: receives the number of notes; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT. Thread rule: as for the world.
+    pub fn hs_world_check(
+        world: *const hs_world,
+        notes: *mut hs_note,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
     /// Fills a block definition with its defaults for a compound.
     ///
     /// - `def`: to fill
@@ -2899,6 +2995,119 @@ extern "C" {
         block: hs_block,
         compound: *mut hs_block,
         part: *mut i32,
+    ) -> hs_status;
+
+    /// Returns the settings of a world, with gravity, damping and time step as they were set last. A world of
+    /// the same settings is made by hs_world_create() of what this returns.
+    ///
+    /// - `world`: not NULL
+    /// - `def`: receives them
+    /// - `size`: sizeof(hs_world_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_def(
+        world: *const hs_world,
+        def: *mut hs_world_def,
+        size: usize,
+    ) -> hs_status;
+
+    /// Bulk: densities of all materials, by their index. Their count is the number of materials.
+    ///
+    /// - `world`: not NULL
+    /// - `densities`: receives them, kg/m3; may be NULL if capacity is 0
+    /// - `capacity`: in densities
+    /// - `count`: receives the number of materials; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_densities(
+        world: *const hs_world,
+        densities: *mut f64,
+        capacity: i64,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Returns the elasticity of a material.
+    ///
+    /// - `world`: not NULL
+    /// - `material`: index
+    /// - `elasticity`: receives it; its young_modulus is 0 if the material has none
+    /// - `size`: sizeof(hs_elasticity_def) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_elasticity(
+        world: *const hs_world,
+        material: i32,
+        elasticity: *mut hs_elasticity_def,
+        size: usize,
+    ) -> hs_status;
+
+    /// Returns the law of all pairs of materials without a law of their own. Strengths are those that were
+    /// given, before division by the factor of hs_world_set_strength_factor().
+    ///
+    /// - `world`: not NULL
+    /// - `law`: receives it
+    /// - `size`: sizeof(hs_law_def) as the caller was compiled
+    ///
+    /// Returns HS_OK or HS_ERROR_ARGUMENT
+    pub fn hs_world_get_default_law(
+        world: *const hs_world,
+        law: *mut hs_law_def,
+        size: usize,
+    ) -> hs_status;
+
+    /// Returns the law of two materials, in either order: their own, or the default law. Strengths are those
+    /// that were given, before division by the factor of hs_world_set_strength_factor().
+    ///
+    /// - `world`: not NULL
+    /// - `material_a`, `material_b`: indices, may be the same
+    /// - `law`: receives it
+    /// - `size`: sizeof(hs_law_def) as the caller was compiled
+    ///
+    /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_law(
+        world: *const hs_world,
+        material_a: i32,
+        material_b: i32,
+        law: *mut hs_law_def,
+        size: usize,
+    ) -> hs_status;
+
+    /// Returns the rows of a table.
+    ///
+    /// - `world`: not NULL
+    /// - `table`: index from hs_world_add_table()
+    /// - `times`: receives one per row, s; may be NULL if values.count is 0
+    /// - `values`: receives one per row: its count is the capacity of both; without z, z is left out
+    /// - `count`: receives the number of rows; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_table(
+        world: *const hs_world,
+        table: i32,
+        times: *mut f64,
+        values: hs_mutable_view,
+        count: *mut i64,
+    ) -> hs_status;
+
+    /// Bulk: the actions on a block, in the order in which they were added. Those that ended are left out.
+    /// Where a later motion ended one along some axes, its scale is 0 there. A point of HS_PLACE_CARRIED is
+    /// where it is now, to rounding.
+    ///
+    /// - `world`: not NULL
+    /// - `block`: id, or 0: actions on all blocks
+    /// - `actions`: receives them; may be NULL if capacity is 0
+    /// - `size`: sizeof(hs_action_def) as the caller was compiled
+    /// - `capacity`: in actions
+    /// - `count`: receives the number of actions; may be NULL
+    ///
+    /// Returns HS_OK, HS_NOTE_TRUNCATED, HS_ERROR_ARGUMENT or HS_ERROR_STALE_ID
+    pub fn hs_world_get_actions(
+        world: *const hs_world,
+        block: hs_block,
+        actions: *mut hs_action_def,
+        size: usize,
+        capacity: i64,
+        count: *mut i64,
     ) -> hs_status;
 
     /// Fills a motion with its defaults: at rest at the origin, without rotation.

@@ -37,6 +37,11 @@ impl Action {
         self.raw.max_speed = max_speed;
         self
     }
+
+    /// All settings, as fields with the names and values of the C interface.
+    pub fn values(&self) -> &sys::hs_action_def {
+        &self.raw
+    }
 }
 
 impl Law {
@@ -93,6 +98,11 @@ impl Law {
     pub fn restitution(mut self, restitution: f64) -> Self {
         self.raw.restitution = restitution;
         self
+    }
+
+    /// All settings, as fields with the names and values of the C interface.
+    pub fn values(&self) -> &sys::hs_law_def {
+        &self.raw
     }
 }
 
@@ -178,6 +188,11 @@ impl WorldDef {
         self.raw.impulse_tolerance = impulse_tolerance;
         self
     }
+
+    /// All settings, as fields with the names and values of the C interface.
+    pub fn values(&self) -> &sys::hs_world_def {
+        &self.raw
+    }
 }
 
 impl Elasticity {
@@ -198,6 +213,11 @@ impl Elasticity {
     pub fn damping_time(mut self, damping_time: f64) -> Self {
         self.raw.damping_time = damping_time;
         self
+    }
+
+    /// All settings, as fields with the names and values of the C interface.
+    pub fn values(&self) -> &sys::hs_elasticity_def {
+        &self.raw
     }
 }
 

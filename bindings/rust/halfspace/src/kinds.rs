@@ -175,6 +175,50 @@ constants! {
 }
 
 constants! {
+    /// Settings that have a usual range.
+    Setting {
+        /// of a world, m/s2
+        Gravity = HS_SETTING_GRAVITY,
+        /// of a world, 1/s
+        MassDamping = HS_SETTING_MASS_DAMPING,
+        /// of a world, rad
+        ParallelAngle = HS_SETTING_PARALLEL_ANGLE,
+        /// of a material, kg/m3
+        Density = HS_SETTING_DENSITY,
+        /// of a material, Pa
+        YoungModulus = HS_SETTING_YOUNG_MODULUS,
+        /// of a material
+        PoissonRatio = HS_SETTING_POISSON_RATIO,
+        /// of a material, s
+        DampingTime = HS_SETTING_DAMPING_TIME,
+        /// of a law, N/m, Pa/m or Pa
+        NormalStiffness = HS_SETTING_NORMAL_STIFFNESS,
+        /// of a law, N/m or Pa/m
+        ShearStiffness = HS_SETTING_SHEAR_STIFFNESS,
+        /// of a law or a bond, rad
+        FrictionAngle = HS_SETTING_FRICTION_ANGLE,
+        /// of a law or a bond, Pa
+        Cohesion = HS_SETTING_COHESION,
+        /// of a law or a bond, Pa
+        TensileStrength = HS_SETTING_TENSILE_STRENGTH,
+        /// of a law or a bond, damping ratio
+        NormalDamping = HS_SETTING_NORMAL_DAMPING,
+        /// of a law or a bond, damping ratio
+        ShearDamping = HS_SETTING_SHEAR_DAMPING,
+        /// Pa/m
+        BondNormalStiffness = HS_SETTING_BOND_NORMAL_STIFFNESS,
+        /// Pa/m
+        BondShearStiffness = HS_SETTING_BOND_SHEAR_STIFFNESS,
+        /// of a bond, J/m2
+        TensileFractureEnergy = HS_SETTING_TENSILE_FRACTURE_ENERGY,
+        /// of a bond, J/m2
+        ShearFractureEnergy = HS_SETTING_SHEAR_FRACTURE_ENERGY,
+        /// of a block, m/s
+        Velocity = HS_SETTING_VELOCITY,
+    }
+}
+
+constants! {
     /// Results of hs_pair_time_of_impact().
     ImpactState {
         /// the shapes do not touch within the duration

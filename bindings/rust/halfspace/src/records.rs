@@ -11,7 +11,7 @@ use crate::block::{Block, Material};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::impact::Impact;
-use crate::kinds::{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind};
+use crate::kinds::{BlockKind, BondFailure, ErrorKind, FaultKind, ImpactState, PairKind, Setting};
 use crate::pose::Pose;
 use crate::world::World;
 
@@ -637,6 +637,40 @@ impl From<sys::hs_bond_report> for BondReport {
             crack_area: raw.crack_area,
             strain_energy: raw.strain_energy,
             fracture_loss: raw.fracture_loss,
+        }
+    }
+}
+
+/// A setting with an unusual value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Note {
+    /// a `Setting`
+    pub setting: Setting,
+    /// of a setting of a material or a law: index; `None`: of the default law, and of others
+    pub material_a: Option<usize>,
+    /// of a law of two materials: index of the second; `None`: of others
+    pub material_b: Option<usize>,
+    /// of a setting of a block: id; 0: of others
+    pub block: Option<Block>,
+    /// of the setting, in the unit of the setting; of a vector its length
+    pub value: f64,
+    /// smallest usual value but 0, which is usual, too
+    pub usual_low: f64,
+    /// largest usual value
+    pub usual_high: f64,
+}
+
+impl From<sys::hs_note> for Note {
+    fn from(raw: sys::hs_note) -> Self {
+        Self {
+            setting: Setting::from_value(raw.setting),
+            material_a: usize::try_from(raw.material_a).ok(),
+            material_b: usize::try_from(raw.material_b).ok(),
+            block: Block::from_raw(raw.block),
+            value: raw.value,
+            usual_low: raw.usual_low,
+            usual_high: raw.usual_high,
         }
     }
 }
