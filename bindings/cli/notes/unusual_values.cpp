@@ -2,68 +2,100 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "common/text.h"
+#include "halfspace/check.h"
 #include "scene/settings.h"
 
 namespace halfspace::cli {
 namespace {
 
-/// The usual range of the absolute value of a number, or of the length of a vector. 0 is always usual.
-struct Usual {
+/// A key whose usual range is that of a setting of worlds.
+struct OfWorlds {
   std::string_view table;  ///< path without indices; empty: of any
   std::string_view key;
-  double low, high;
-  std::string_view text;  ///< range and unit, for the note
+  std::int32_t setting;
+  std::string_view degrees = {};  ///< range of an angle, which scenes have in degrees, for the note
 };
 
 // The first matching line applies.
-constexpr Usual usual_values[] = {
-    {"world", "gravity", 1, 25, "9.81 m/s2, 1.62 on the moon"},
-    {"stage", "gravity", 1, 25, "9.81 m/s2, 1.62 on the moon"},
-    {"", "density", 50, 19500, "50 to 19500 kg/m3, 2700 of rock"},
-    {"", "young_modulus", 1e6, 2e12, "1e6 to 2e12 Pa, 5e10 of rock"},
-    {"", "poisson_ratio", 0, 0.495, "0 to 0.49"},
-    {"", "damping_time", 0, 0.02, "up to 0.02 s"},
-    {"", "normal_damping", 0, 1, "0 to 1, a fraction of critical damping"},
-    {"", "shear_damping", 0, 1, "0 to 1, a fraction of critical damping"},
-    {"", "mass_damping", 0, 100, "up to 100 1/s"},
-    {"", "friction_angle", 2, 75, "0, or 2 to 75 degrees"},
-    {"", "residual_friction_angle", 2, 75, "0, or 2 to 75 degrees"},
-    {"", "cohesion", 100, 1e9, "0, or 100 to 1e9 Pa"},
-    {"", "residual_cohesion", 100, 1e9, "0, or 100 to 1e9 Pa"},
-    {"", "tensile_strength", 100, 1e9, "0, or 100 to 1e9 Pa"},
-    {"", "tensile_fracture_energy", 0.1, 1e6, "0, or 0.1 to 1e6 J/m2"},
-    {"", "shear_fracture_energy", 0.1, 1e6, "0, or 0.1 to 1e6 J/m2"},
-    {"bond", "normal_stiffness", 1e6, 1e17, "1e6 to 1e17 Pa/m"},
-    {"bond", "shear_stiffness", 1e5, 1e17, "0, or 1e5 to 1e17 Pa/m"},
-    {"", "normal_stiffness", 1e3, 1e14, "1e3 to 1e14 in N/m, Pa/m or Pa"},
-    {"", "shear_stiffness", 1e2, 1e14, "0, or 1e2 to 1e14 in N/m or Pa/m"},
-    {"", "traction", 100, 1e10, "0, or 100 to 1e10 Pa"},
-    {"", "pressure", 100, 1e10, "0, or 100 to 1e10 Pa"},
-    {"", "normal_stress", 100, 1e10, "0, or 100 to 1e10 Pa"},
-    {"", "shear_stress", 100, 1e10, "0, or 100 to 1e10 Pa"},
-    {"world", "parallel_angle", 0.05, 28, "0, or 0.05 to 28 degrees"},
-    {"", "dip", 1.6, 90, "0, or 2 to 90 degrees"},
-    {"world", "rest_speed", 0, 0.1, "up to 0.1 m/s"},
-    {"stage", "rest_speed", 0, 0.1, "up to 0.1 m/s"},
-    {"stage", "ratio", 1e-12, 1e-2, "1e-7 to 1e-2"},
-    {"stage", "strength_factor", 0.05, 20, "0.1 to 10"},
-    {"", "velocity", 0, 1000, "up to 1000 m/s"},
+constexpr OfWorlds of_worlds[] = {
+    {"world", "gravity", HS_SETTING_GRAVITY},
+    {"stage", "gravity", HS_SETTING_GRAVITY},
+    {"", "density", HS_SETTING_DENSITY},
+    {"", "young_modulus", HS_SETTING_YOUNG_MODULUS},
+    {"", "poisson_ratio", HS_SETTING_POISSON_RATIO},
+    {"", "damping_time", HS_SETTING_DAMPING_TIME},
+    {"", "normal_damping", HS_SETTING_NORMAL_DAMPING},
+    {"", "shear_damping", HS_SETTING_SHEAR_DAMPING},
+    {"", "mass_damping", HS_SETTING_MASS_DAMPING},
+    {"", "friction_angle", HS_SETTING_FRICTION_ANGLE, "0, or 2 to 75 degrees"},
+    {"", "residual_friction_angle", HS_SETTING_FRICTION_ANGLE, "0, or 2 to 75 degrees"},
+    {"", "cohesion", HS_SETTING_COHESION},
+    {"", "residual_cohesion", HS_SETTING_COHESION},
+    {"", "tensile_strength", HS_SETTING_TENSILE_STRENGTH},
+    {"", "tensile_fracture_energy", HS_SETTING_TENSILE_FRACTURE_ENERGY},
+    {"", "shear_fracture_energy", HS_SETTING_SHEAR_FRACTURE_ENERGY},
+    {"bond", "normal_stiffness", HS_SETTING_BOND_NORMAL_STIFFNESS},
+    {"bond", "shear_stiffness", HS_SETTING_BOND_SHEAR_STIFFNESS},
+    {"", "normal_stiffness", HS_SETTING_NORMAL_STIFFNESS},
+    {"", "shear_stiffness", HS_SETTING_SHEAR_STIFFNESS},
+    {"world", "parallel_angle", HS_SETTING_PARALLEL_ANGLE, "0, or 0.05 to 28 degrees"},
+    {"", "velocity", HS_SETTING_VELOCITY},
+};
+
+/// The usual range of the absolute value of a number, or of the length of a vector. 0 is always usual.
+struct UsualRange {
+  double low, high;
+  std::string_view text;  ///< range and unit, for the note
+  double unit = 1;        ///< that of the file in that of the range
+};
+
+/// A key that worlds do not have.
+struct OfScenes {
+  std::string_view table, key;
+  UsualRange range;
+};
+
+constexpr OfScenes of_scenes[] = {
+    {"", "traction", {100, 1e10, "0, or 100 to 1e10 Pa"}},
+    {"", "pressure", {100, 1e10, "0, or 100 to 1e10 Pa"}},
+    {"", "normal_stress", {100, 1e10, "0, or 100 to 1e10 Pa"}},
+    {"", "shear_stress", {100, 1e10, "0, or 100 to 1e10 Pa"}},
+    {"", "dip", {1.6, 90, "0, or 2 to 90 degrees"}},
+    {"world", "rest_speed", {0, 0.1, "up to 0.1 m/s"}},
+    {"stage", "rest_speed", {0, 0.1, "up to 0.1 m/s"}},
+    {"stage", "ratio", {1e-12, 1e-2, "1e-7 to 1e-2"}},
+    {"stage", "strength_factor", {0.05, 20, "0.1 to 10"}},
 };
 
 /// Keys in degrees: a multiple of pi / 12 is probably in radians.
 constexpr std::string_view angles[] = {"rotation", "dip", "dip_direction", "angular_velocity"};
 
-const Usual* usual_of(std::string_view table, std::string_view key) {
-  const auto* found = std::find_if(std::begin(usual_values), std::end(usual_values), [&](const Usual& usual) {
-    return usual.key == key && (usual.table.empty() || usual.table == table);
+/// The first line of a list for a key in a table, or its end.
+template <class Line, std::size_t Count>
+const Line* line_of(const Line (&lines)[Count], std::string_view table, std::string_view key) {
+  return std::find_if(std::begin(lines), std::end(lines), [&](const Line& line) {
+    return line.key == key && (line.table.empty() || line.table == table);
   });
-  return found == std::end(usual_values) ? nullptr : found;
+}
+
+std::optional<UsualRange> usual_of(std::string_view table, std::string_view key) {
+  if (const auto* line = line_of(of_scenes, table, key); line != std::end(of_scenes)) return line->range;
+  const auto* line = line_of(of_worlds, table, key);
+  if (line == std::end(of_worlds)) return std::nullopt;
+  UsualRange range{};
+  if (hs_setting_get_usual(line->setting, &range.low, &range.high) != HS_OK) return std::nullopt;
+  const bool is_angle = !line->degrees.empty();
+  range.text = is_angle ? line->degrees : hs_setting_usual_text(line->setting);
+  range.unit = is_angle ? std::numbers::pi / 180 : 1;
+  return range;
 }
 
 std::optional<double> number_of(const toml::node& node) {
@@ -125,8 +157,9 @@ class Walk {
   void check(const toml::node& node, const std::string& path, std::string_view table, std::string_view key) {
     const std::optional<double> size = size_of(node);
     if (!size || *size == 0) return;
-    const Usual* usual = usual_of(table, key);
-    if (usual && !(*size >= usual->low && *size <= usual->high)) {
+    const std::optional<UsualRange> usual = usual_of(table, key);
+    const double measured = usual ? *size * usual->unit : 0;
+    if (usual && !(measured >= usual->low && measured <= usual->high)) {
       note(node, path, written(node) + " is unusual; usual: " + std::string(usual->text));
     } else if (key == "poisson_ratio" && number_of(node) < 0) {
       note(node, path, written(node) + " is unusual; usual: " + std::string(usual->text));
