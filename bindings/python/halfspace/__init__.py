@@ -31,11 +31,13 @@ from .constants import (
     PairKind,
     Plane,
     Role,
+    Setting,
     StiffnessKind,
     Unbalanced,
     WorldPart,
 )
 from .context import Context, default_context
+from .definition import Action, Material
 from .errors import (
     ArgumentError,
     ClosedError,
@@ -72,6 +74,7 @@ from .records import (
     CONTACT,
     DEFORMATION,
     IMPACT,
+    NOTE,
     PAIR_CACHE,
     RAY_HIT,
     SHAPE_PROPERTIES,
@@ -104,6 +107,7 @@ __all__ = [
     "CONTACT",
     "DEFORMATION",
     "IMPACT",
+    "NOTE",
     "PAIR_CACHE",
     "RAY_HIT",
     "SHAPE_PROPERTIES",
@@ -111,6 +115,7 @@ __all__ = [
     "SHARE_PLAN",
     "STRENGTH_REPORT",
     "WORLD_REPORT",
+    "Action",
     "ActionKind",
     "ArgumentError",
     "BlockKind",
@@ -134,6 +139,7 @@ __all__ = [
     "InvertedError",
     "Law",
     "LimitResult",
+    "Material",
     "Mesh",
     "Motion",
     "OutOfMemoryError",
@@ -148,6 +154,7 @@ __all__ = [
     "SafetyResult",
     "Scene",
     "SceneError",
+    "Setting",
     "Shape",
     "StaleIdError",
     "StateError",

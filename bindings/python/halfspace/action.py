@@ -12,12 +12,12 @@ from ._arrays import block_id, index, indices, turns_view_of, vector, view_of
 from ._choice import choice
 from ._library import library
 from .constants import ActionKind, ForcePlace
-from .relax import Statics
+from .definition import Definitions
 
 _AXES = {"x": _raw.HS_AXIS_X, "y": _raw.HS_AXIS_Y, "z": _raw.HS_AXIS_Z, "r": _raw.HS_AXIS_ROTATION}
 
 
-class ActedOn(Statics):
+class ActedOn(Definitions):
     """Motions and loads in time of a world."""
 
     def add_table(self, times: ArrayLike, values: ArrayLike) -> int:

@@ -70,8 +70,6 @@ class AffineBlocks(BlockArrays):
         """Sets the elasticity of a material. Affine blocks and meshes use it. Existing blocks keep their strain."""
         self._call(library.hs_world_set_elasticity, index(material, "material"), struct_of(elasticity, Elasticity, "elasticity"))
         self._load_length = 0  # virials are loads, too
-        self._given.see(f"material[{material}]", elasticity)
-        self._given.elasticities[f"material[{material}]"] = elasticity
 
     def deformation(self, block: int) -> Deformation:
         """Returns deformation and stress of a block of any kind: a record of `DEFORMATION`.

@@ -69,7 +69,7 @@ class BondedBlocks(Bodies):
             block_id(block_b, "block_b"),
             struct_of(bond, Bond, "bond"),
         )
-        self._given.see(f"bond_blocks({block_a}, {block_b})", bond)
+        self._given.bonds[f"bond_blocks({block_a}, {block_b})"] = bond
 
     def bond_materials(self, material_a: int, material_b: int, bond: Bond) -> int:
         """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns the
@@ -83,7 +83,7 @@ class BondedBlocks(Bodies):
             ctypes.byref(count),
         )
         name = f"bond_materials({material_a}, {material_b})"
-        self._given.see(name, bond)
+        self._given.bonds[name] = bond
         if count.value == 0:
             self._given.empty_bonds.append(name)
         return count.value

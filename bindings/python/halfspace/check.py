@@ -1,85 +1,85 @@
 """Unusual settings of a world that are allowed."""
 from __future__ import annotations
 
+import ctypes
 import dataclasses
-import math
-from typing import Any, Dict, Iterator, List, Optional, Set, Tuple
+from typing import TYPE_CHECKING, Dict, Iterator, List, Set
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .constants import StiffnessKind
-from .law import Law
-from .records import WorldReport
+from ._library import library
+from .constants import Setting, StiffnessKind
+from .records import Note, WorldReport
 
-#: The usual range of a setting (absolute value or norm), and its text in a note. 0 is usual, too.
-_USUAL: Dict[str, Tuple[float, float, str]] = {
-    "gravity": (1, 25, "9.81 m/s2, 1.62 on the moon"),
-    "density": (50, 19500, "50 to 19500 kg/m3, 2700 of rock"),
-    "young_modulus": (1e6, 2e12, "1e6 to 2e12 Pa, 5e10 of rock"),
-    "poisson_ratio": (0, 0.495, "0 to 0.49"),
-    "damping_time": (0, 0.02, "up to 0.02 s"),
-    "normal_damping": (0, 1, "0 to 1, a fraction of critical damping"),
-    "shear_damping": (0, 1, "0 to 1, a fraction of critical damping"),
-    "mass_damping": (0, 100, "up to 100 1/s"),
-    "friction_angle": (0.035, 1.31, "0, or 0.035 to 1.3 rad, which is 2 to 75 degrees"),
-    "residual_friction_angle": (0.035, 1.31, "0, or 0.035 to 1.3 rad, which is 2 to 75 degrees"),
-    "cohesion": (100, 1e9, "0, or 100 to 1e9 Pa"),
-    "residual_cohesion": (100, 1e9, "0, or 100 to 1e9 Pa"),
-    "tensile_strength": (100, 1e9, "0, or 100 to 1e9 Pa"),
-    "tensile_fracture_energy": (0.1, 1e6, "0, or 0.1 to 1e6 J/m2"),
-    "shear_fracture_energy": (0.1, 1e6, "0, or 0.1 to 1e6 J/m2"),
-    "normal_stiffness": (1e3, 1e17, "1e3 to 1e14 in N/m, Pa/m or Pa"),
-    "shear_stiffness": (1e2, 1e17, "0, or 1e2 to 1e14 in N/m or Pa/m"),
+if TYPE_CHECKING:
+    from .bond import Bond
+    from .world import World
+
+_BOND_SETTINGS = {
+    "normal_stiffness": Setting.BOND_NORMAL_STIFFNESS,
+    "shear_stiffness": Setting.BOND_SHEAR_STIFFNESS,
+    "tensile_strength": Setting.TENSILE_STRENGTH,
+    "cohesion": Setting.COHESION,
+    "friction_angle": Setting.FRICTION_ANGLE,
+    "residual_cohesion": Setting.COHESION,
+    "residual_friction_angle": Setting.FRICTION_ANGLE,
+    "tensile_fracture_energy": Setting.TENSILE_FRACTURE_ENERGY,
+    "shear_fracture_energy": Setting.SHEAR_FRACTURE_ENERGY,
 }
+_WORLD_SETTINGS = (Setting.GRAVITY, Setting.MASS_DAMPING, Setting.PARALLEL_ANGLE)
 _TOLD_FRACTION = 0.01  # fraction of the thickness of the thinnest block
 _SIZE_RATIO = 1e5
 _USUAL_RESIDUAL = 0.01  # fraction of the released energy
 _ROUNDING = 1e-9  # fraction of the ledger's entries, over many steps
+_OF_IMPULSES = ("impulse_tolerance", "max_impulse_iterations", "locate_impacts")
 _MOST_BLOCKS = 5000  # limit of a comparison of all pairs
 
 
 class Given:
-    """Settings of a world by name, with their last values."""
+    """What a world was given that the library does not return."""
 
     def __init__(self) -> None:
-        self.values: Dict[str, Any] = {}
         self.held: Dict[int, str] = {}  # axes along which nodes of a body are held
+        self.bonds: Dict[str, Bond] = {}  # by the calls that made them
         self.empty_bonds: List[str] = []
-        self.laws: Dict[str, Law] = {}
-        self.elasticities: Dict[str, Any] = {}  # of materials
-        self.settings: Dict[str, Any] = {}  # of the world
         self.beyond_scenes: Set[str] = set()  # parts that no table of a scene describes, in words
-        self.of_impulses: List[str] = []  # settings of the impulses between rigid blocks
+        self.is_of_snapshot = True  # which may have had any of these
 
     def copy(self) -> "Given":
         other = Given()
-        other.values, other.held = dict(self.values), dict(self.held)
-        other.empty_bonds = list(self.empty_bonds)
-        other.laws, other.of_impulses = dict(self.laws), list(self.of_impulses)
-        other.elasticities, other.settings = dict(self.elasticities), dict(self.settings)
-        other.beyond_scenes = set(self.beyond_scenes)
+        other.held, other.bonds = dict(self.held), dict(self.bonds)
+        other.empty_bonds, other.beyond_scenes = list(self.empty_bonds), set(self.beyond_scenes)
+        other.is_of_snapshot = self.is_of_snapshot
         return other
 
-    def see(self, name: str, value: Any) -> None:
-        """Stores a number, a vector, or the fields of a dataclass."""
-        if isinstance(value, Law):
-            self.laws[name] = value
-        if dataclasses.is_dataclass(value):
-            for field in dataclasses.fields(value):
-                if field.name in _USUAL:
-                    self.values[f"{name}.{field.name}"] = getattr(value, field.name)
-        else:
-            self.values[name] = value
 
-    def unusual(self) -> Iterator[str]:
-        """Notes on values outside their usual range, e.g. in a wrong unit."""
-        for name, value in self.values.items():
-            low, high, usual = _USUAL.get(name.rsplit(".", 1)[-1], (0, math.inf, ""))
-            size = float(np.linalg.norm(value))
-            below_zero = name.endswith("poisson_ratio") and value < 0
-            if size > 0 and (not low <= size <= high or below_zero):
-                yield f"{name}: {_shown(value)} is unusual; usual: {usual}"
+def notes_on_values(world: "World") -> Iterator[str]:
+    """Notes on values outside their usual range, e.g. in a wrong unit."""
+    for note in world.unusual_settings():
+        yield _unusual(_name_of(note), note.value, note.setting)
+    for call, bond in world._given.bonds.items():
+        for name, setting in _BOND_SETTINGS.items():
+            low, high = ctypes.c_double(), ctypes.c_double()
+            library.hs_setting_get_usual(setting, ctypes.byref(low), ctypes.byref(high))
+            value = abs(getattr(bond, name))
+            if value > 0 and not low.value <= value <= high.value:
+                yield _unusual(f"{call}.{name}", value, setting)
+
+
+def _unusual(name: str, value: float, setting: int) -> str:
+    return f"{name}: {value:g} is unusual; usual: {library.hs_setting_usual_text(setting).decode()}"
+
+
+def _name_of(note: Note) -> str:
+    setting = note.setting.name.lower()
+    if note.block:
+        return f"block {note.block}.{setting}"
+    if note.material_b >= 0:
+        return f"law[{note.material_a}, {note.material_b}].{setting}"
+    if note.material_a >= 0:
+        return f"material[{note.material_a}].{setting}"
+    return setting if note.setting in _WORLD_SETTINGS else f"default_law.{setting}"
 
 
 def _shown(value: ArrayLike) -> str:
@@ -160,14 +160,13 @@ def notes_on_sizes(boxes: Boxes, sleep_tolerance: float) -> Iterator[str]:
             )
 
 
-def notes_on_impulses(given: Given, boxes: Boxes) -> Iterator[str]:
+def notes_on_impulses(world: "World", boxes: Boxes) -> Iterator[str]:
     """Notes on settings of the impulses between rigid blocks where these have no such impulses."""
-    count = sum(name.endswith("].density") for name in given.values)
-    if "default_law" not in given.laws or not count:
+    own, default, count = world.laws, world.default_law, len(world.materials)
+    pairs = [(a, b) for b in range(count) for a in range(b + 1)]
+    if not pairs:
         return
-    pairs = [f"law[{a}, {b}]" for b in range(count) for a in range(b + 1)]
-    without = [law for law in (given.laws.get(pair, given.laws["default_law"]) for pair in pairs)
-               if StiffnessKind.NONE == law.stiffness_kind]
+    without = [law for law in (own.get(pair, default) for pair in pairs) if StiffnessKind.NONE == law.stiffness_kind]
     if not without:
         reason = "all laws have springs; usual: a law of StiffnessKind.NONE"
     elif not (boxes.moves & ~boxes.deforms).any():
@@ -177,8 +176,9 @@ def notes_on_impulses(given: Given, boxes: Boxes) -> Iterator[str]:
                   "usual: these in laws with springs only")
     else:
         return
-    rebounds = [f"{name}.restitution" for name, law in given.laws.items() if law.restitution > 0]
-    for name in given.of_impulses + rebounds:
+    named = {"default_law": default, **{f"law[{a}, {b}]": law for (a, b), law in own.items()}}
+    rebounds = [f"{name}.restitution" for name, law in named.items() if law.restitution > 0]
+    for name in [name for name in _OF_IMPULSES if name in world._chosen_settings()] + rebounds:
         yield f"{name}: no effect: {reason}"
 
 
@@ -197,8 +197,8 @@ def notes_on_energy(report: WorldReport, fracture_loss: float) -> Iterator[str]:
         )
 
 
-def notes_on_time_step(time_step: Optional[float], stable: float) -> Iterator[str]:
-    if time_step and stable > 0:
+def notes_on_time_step(time_step: float, stable: float) -> Iterator[str]:
+    if time_step > 0 and stable > 0:
         if time_step > stable:
             yield f"time_step: {time_step:g} s is above the stable one, {stable:.4g} s"
         elif time_step < 1e-4 * stable:

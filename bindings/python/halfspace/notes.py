@@ -14,6 +14,7 @@ from .check import (
     notes_on_sizes,
     notes_on_support,
     notes_on_time_step,
+    notes_on_values,
 )
 from .constants import BlockKind
 from .context import held
@@ -42,7 +43,7 @@ def _notes_of_command(world: "World") -> List[str]:
     from .scene import Scene  # which knows worlds
 
     if len(world) == 0:
-        return list(world._given.unusual())
+        return list(notes_on_values(world))
     notes = [_PLACE.sub("", note) for note in Scene.from_world(world).check()]
     if world.report.steps > 0:  # contacts overlap then
         notes = [note for note in notes if _OF_START not in note]
@@ -50,20 +51,20 @@ def _notes_of_command(world: "World") -> List[str]:
 
 
 def _notes_by_tables(world: "World") -> Iterator[str]:
-    given, boxes, report = world._given, _boxes(world), world.report
-    gravity = np.asarray(given.values.get("gravity", np.zeros(3)))
-    yield from given.unusual()
+    definition, boxes, report = world.definition, _boxes(world), world.report
+    gravity = np.asarray(definition["gravity"])
+    yield from notes_on_values(world)
     yield from notes_on_gravity(gravity, world.dimension)
-    yield from notes_on_support(boxes, gravity, world.velocities)
-    yield from notes_on_sizes(boxes, given.values.get("sleep_tolerance", 0.0))
-    yield from notes_on_impulses(given, boxes)
-    yield from notes_on_time_step(given.values.get("time_step"), float(report.stable_time_step))
+    if not world._given.is_of_snapshot:  # whose supports are not known
+        yield from notes_on_support(boxes, gravity, world.velocities)
+    yield from notes_on_sizes(boxes, definition["sleep_tolerance"])
+    yield from notes_on_impulses(world, boxes)
+    yield from notes_on_time_step(definition["time_step"], float(report.stable_time_step))
 
 
 def _boxes(world: "World") -> Boxes:
     ids, outlines = world._outlined()
-    gravity = np.asarray(world._given.values.get("gravity", np.zeros(3)))
-    along = "xyz"[int(np.argmax(np.abs(gravity)))]
+    along = "xyz"[int(np.argmax(np.abs(world.definition["gravity"])))]
     low, high = np.empty((2, len(ids), world.dimension))
     moves, holds, deforms = np.zeros((3, len(ids)), bool)
     for i, block in enumerate(ids):

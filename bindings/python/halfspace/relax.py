@@ -5,7 +5,6 @@ import ctypes
 import operator
 from typing import Tuple, Union, cast
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
@@ -85,20 +84,15 @@ class Statics(WetBlocks):
 
     def set_gravity(self, gravity: ArrayLike) -> None:
         """Sets gravity, m/s2. The change of potential energy counts as external work."""
-        given = gravity_vector(gravity, self.dimension)
-        self._call(library.hs_world_set_gravity, given)
-        self._given.see("gravity", np.array(given[:]))
+        self._call(library.hs_world_set_gravity, gravity_vector(gravity, self.dimension))
 
     def set_damping(self, local_damping: float = 0.0, mass_damping: float = 0.0) -> None:
         """Sets local and mass damping, see `World`."""
         self._call(library.hs_world_set_damping, local_damping, mass_damping)
-        self._given.settings["local_damping"] = local_damping
-        self._given.see("mass_damping", mass_damping)
 
     def set_time_step(self, time_step: float) -> None:
         """Sets the time step, s; 0: `safety` times the stable time step."""
         self._call(library.hs_world_set_time_step, time_step)
-        self._given.see("time_step", time_step)
 
     def set_strength_factor(self, factor: float) -> None:
         """Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds by a

@@ -134,14 +134,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
             if value is not None:
                 setattr(definition, name, value)
         self._make(context, dimension, library.hs_world_create, definition)
-        self._given.settings = settings
-        self._given.see("gravity", np.array(definition.gravity[:]))
-        for name in ("mass_damping", "time_step", "sleep_tolerance"):
-            self._given.see(name, getattr(definition, name))
-        self._given.see("default_law", Law())
-        for name in ("impulse_tolerance", "max_impulse_iterations", "locate_impacts"):
-            if settings[name]:
-                self._given.of_impulses.append(name)
+        self._given.is_of_snapshot = False
         if law is not None:
             self.set_default_law(law)
 
@@ -218,13 +211,11 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         """Adds a material (density > 0, kg/m3) and returns its index."""
         material = ctypes.c_int32()
         self._call(library.hs_world_add_material, density, ctypes.byref(material))
-        self._given.see(f"material[{material.value}].density", density)
         return material.value
 
     def set_default_law(self, law: Law) -> None:
         """Sets the law of all pairs of materials without a law of their own."""
         self._call(library.hs_world_set_default_law, struct_of(law, Law, "law"))
-        self._given.see("default_law", law)
 
     def set_law(self, material_a: int, material_b: int, law: Law) -> None:
         """Sets the law of two materials, in either order; they may be the same."""
@@ -234,8 +225,6 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
             index(material_b, "material_b"),
             struct_of(law, Law, "law"),
         )
-        first, second = sorted((int(material_a), int(material_b)))
-        self._given.see(f"law[{first}, {second}]", law)
 
     # ---- blocks ----
 
@@ -447,8 +436,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         energy. Empty if there is nothing unusual; nothing is changed.
 
         Worlds that `Scene.from_world` refuses, as those with meshes, have fewer notes: on values in a wrong unit,
-        gravity, support, sizes, the time step, and settings of impulses. For a world from `restore`, gravity,
-        materials and laws are not checked.
+        gravity, sizes, the time step, settings of impulses, and, unless they are from `restore`, support.
 
         Examples
         --------

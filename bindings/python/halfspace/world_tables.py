@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping
 import numpy as np
 
 from .affine import Elasticity
-from .constants import BlockKind, FastBlocks, Plane, StiffnessKind
+from .constants import BlockKind, Plane, StiffnessKind
 from .law import Law
 
 if TYPE_CHECKING:
@@ -36,11 +36,10 @@ def _law_keys(law: Law) -> Dict[str, Any]:
 
 def _material_tables(world: "World") -> List[Dict[str, Any]]:
     tables: List[Dict[str, Any]] = []
-    while f"material[{len(tables)}].density" in world._given.values:
-        key = f"material[{len(tables)}]"
-        table = {"name": f"material{len(tables)}", "density": world._given.values[f"{key}.density"]}
-        if key in world._given.elasticities:
-            table.update(_elasticity_keys(world._given.elasticities[key], world.dimension))
+    for i, material in enumerate(world.materials):
+        table: Dict[str, Any] = {"name": f"material{i}", "density": material.density}
+        if material.elasticity is not None:
+            table.update(_elasticity_keys(material.elasticity, world.dimension))
         tables.append(table)
     return tables
 
@@ -52,17 +51,11 @@ def _elasticity_keys(elasticity: Elasticity, dimension: int) -> Dict[str, Any]:
 
 
 def _world_keys(world: "World", duration: float) -> Dict[str, Any]:
-    keys = {key: value for key, value in world._given.settings.items() if value is not None}
+    keys = {**world._chosen_settings(), "gravity": world.definition["gravity"]}
     if "parallel_angle" in keys:
         keys["parallel_angle"] = math.degrees(keys["parallel_angle"])
     if "fast_blocks" in keys:
-        keys["fast_blocks"] = FastBlocks(keys["fast_blocks"]).name.lower()
-    keys["gravity"] = np.asarray(world._given.values["gravity"])[: world.dimension]
-    for name in ("mass_damping", "time_step", "sleep_tolerance"):
-        if world._given.values[name] > 0:
-            keys[name] = world._given.values[name]
-        else:
-            keys.pop(name, None)
+        keys["fast_blocks"] = keys["fast_blocks"].name.lower()
     return {"duration": duration, **keys}
 
 
@@ -92,8 +85,8 @@ def unwritten_parts(world: "World") -> List[str]:
         parts.append("meshes")
     if world.bond_report.bond_count > 0:
         parts.append("bonds")
-    if "default_law" not in world._given.laws:
-        parts.append("laws of a snapshot")
+    if world._given.is_of_snapshot:
+        parts.append("loads of a snapshot")
     return parts
 
 
@@ -108,15 +101,11 @@ def tables_of(world: "World", duration: float) -> Mapping[str, Any]:
     unwritten = unwritten_parts(world)
     if unwritten:
         raise ValueError(f"the world has {', '.join(unwritten)}; a scene of a world has blocks, materials and laws only")
-    laws = []
-    for name, law in world._given.laws.items():
-        if name != "default_law":  # law[a, b]
-            between = [f"material{index.strip()}" for index in name[4:-1].split(",")]
-            laws.append({"between": between, **_law_keys(law)})
+    laws = [{"between": [f"material{a}", f"material{b}"], **_law_keys(law)} for (a, b), law in world.laws.items()]
     return {
         "dimension": world.dimension,
         "world": _world_keys(world, duration),
-        "default_law": _law_keys(world._given.laws["default_law"]),
+        "default_law": _law_keys(world.default_law),
         "material": _material_tables(world),
         **({"law": laws} if laws else {}),
         "block": _block_tables(world),

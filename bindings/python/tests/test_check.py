@@ -135,9 +135,10 @@ def test_notes_on_a_world_with_meshes(changes, text):
     assert any(text in note for note in meshed(**changes).check())
 
 
-def test_a_restored_world_knows_its_blocks():
+def test_a_restored_world_knows_its_settings():
     world = hs.World.restore(pile(density=2.7).save())
-    assert world.check() == []
+    assert "material[0].density: 2.7 is unusual" in only_note(world)
+    assert hs.World.restore(pile().save()).check() == []
 
 
 def bricks(**changes):
