@@ -125,6 +125,7 @@ mod compound;
 mod constants;
 mod contact;
 mod context;
+mod definition;
 mod definitions;
 mod error;
 mod family;
