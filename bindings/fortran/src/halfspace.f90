@@ -20,6 +20,8 @@ module halfspace
     halfspace_clean_report, halfspace_fault
   use halfspace_contacts, only: halfspace_block, halfspace_contact, operator(==), operator(/=)
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
+  use halfspace_defined_worlds, only: halfspace_action, halfspace_note, halfspace_usual_range, halfspace_usual_text, &
+    halfspace_world_def
   use halfspace_definitions, only: halfspace_angle, halfspace_elasticity, halfspace_law, &
     halfspace_motion, halfspace_pose
   use halfspace_deformations, only: halfspace_deformation

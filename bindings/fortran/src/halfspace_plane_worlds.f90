@@ -1,8 +1,8 @@
 !> Blocks of a world in the plane, with a separate array for each component: x(:), y(:), angle(:); u(:), v(:), omega(:).
 module halfspace_plane_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_loc
-  use halfspace_bolted_worlds, only: bolted_world
   use halfspace_c, only: hs_mutable_view, hs_view, hs_world_forces, hs_world_get_velocities, hs_world_set_velocities
+  use halfspace_defined_worlds, only: defined_world
   use halfspace_definitions, only: halfspace_angle, halfspace_pose
   use halfspace_errors, only: conclude, had_memory
   use halfspace_views, only: are_of_one_size, components, mutable_components
@@ -11,7 +11,7 @@ module halfspace_plane_worlds
   public :: plane_world
 
   !> Contiguous arrays are read and written in place; the compiler copies sections. Arrays have the order of blocks().
-  type, extends(bolted_world) :: plane_world
+  type, extends(defined_world) :: plane_world
   contains
     procedure, private :: poses_in_plane
     procedure, private :: set_poses_in_plane

@@ -20,8 +20,9 @@ module halfspace_worlds
 
   !> Assignment adds a reference: all copies are the same world, which the last one destroys. save() and restore() make
   !! a copy. Procedures for blocks are declared in halfspace_block_worlds, for bonds and relaxation in
-  !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds, for separate arrays of components in the
-  !! plane in halfspace_plane_worlds, for shares in halfspace_spread_worlds.
+  !! halfspace_bonded_worlds, for bolts and water in halfspace_bolted_worlds, for what a world was given in
+  !! halfspace_defined_worlds, for separate arrays of components in the plane in halfspace_plane_worlds, for shares in
+  !! halfspace_spread_worlds.
   type, extends(spread_world) :: halfspace_world
   contains
     procedure :: add_mesh
