@@ -98,8 +98,9 @@ hs_status hs_world_get_densities(const hs_world* world, double densities[], int6
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(densities, "densities");
-    if (count) *count = w.material_count();
-    return write_all(w.material_count(), capacity, [&](int i) { densities[i] = w.density(i); });
+    if (count) *count = w.model().materials.count();
+    return write_all(w.model().materials.count(), capacity,
+                     [&](int i) { densities[i] = w.model().materials.density(i); });
   });
 }
 
@@ -107,7 +108,7 @@ hs_status hs_world_get_elasticity(const hs_world* world, int32_t material, hs_el
                                   size_t size) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     require_material(w, material, "material");
-    return write_given(as_given(w.elasticity(material)), elasticity, size, "elasticity");
+    return write_given(as_given(w.model().materials.elasticity(material)), elasticity, size, "elasticity");
   });
 }
 
@@ -130,8 +131,9 @@ hs_status hs_world_get_law(const hs_world* world, int32_t material_a, int32_t ma
 hs_status hs_world_get_table(const hs_world* world, int32_t table, double times[], hs_mutable_view values,
                              int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
-    if (table < 0 || table >= w.table_count())
-      refuse(HS_ERROR_STALE_ID, "table is %d; the world has %d tables", table, w.table_count());
+    if (table < 0 || table >= w.model().actions.tables().count())
+      refuse(HS_ERROR_STALE_ID, "table is %d; the world has %d tables", table,
+             w.model().actions.tables().count());
     require_view(values, "values");
     if (values.count > 0) require_pointer(times, "times");
     const Table rows = w.model().actions.tables()[table];

@@ -165,8 +165,8 @@ contains
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine check
 
-  !> The smallest usual value of a setting but 0, which is usual, too, and the largest one; both 0 for a number that is no
-  !! HS_SETTING_ value.
+  !> The smallest usual value of a setting but 0, which is usual, too, and the largest one; both 0 for a number that is
+  !! no HS_SETTING_ value.
   subroutine halfspace_usual_range(setting, low, high)
     integer(c_int32_t), intent(in) :: setting
     real(c_double), intent(out) :: low, high
