@@ -63,10 +63,7 @@ struct Inertia<3> {
     const Rotation<3> turned = rotation * axes;
     return turned * Vector<3>(moments.cwiseProduct(turned.inverse() * spin));
   }
-  Angular<3> spin(const Angular<3>& momentum, const Rotation<3>& rotation) const {
-    const Rotation<3> turned = rotation * axes;
-    return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));
-  }
+  Angular<3> spin(const Angular<3>& momentum, const Rotation<3>& rotation) const;
   InertiaTensor<3> inverse(const Rotation<3>& rotation) const {
     const Tensor<3> turned = (rotation * axes).tensor();
     return turned * moments.cwiseInverse().asDiagonal() * turned.transpose();
