@@ -124,9 +124,10 @@ constexpr double nearly_flush = 1e-3;
 /// through each other. Double: edges of thin blocks meet those behind.
 constexpr double other_side = 1e-2;
 
-/// Of the size of both blocks. Where closest points are nearer, detection decides whether blocks touch: the
-/// simplices of slivers have large errors. Half or double: no result, but time.
-constexpr double sure_distance = 0x1p-16;
+/// Of the size of both blocks. Where closest points are nearer, detection decides whether blocks touch:
+/// simplices of slivers in the plane have large errors. Half or double: no result, but time.
+template <int D>
+constexpr double sure_distance = D == 2 ? 0x1p-16 : 0x1p-40;
 
 // Motion: how far may blocks go before a question is asked again?
 

@@ -203,8 +203,8 @@ ClosestPoints<D> find_closest_points(const PosedPair<D>& posed, Memory* room) {
     normal = normal_of<D>(simplex);
     distance = normal.dot(newest_of(simplex));
   }
-  // Close blocks: detection decides whether they touch. Simplices of slivers have large errors.
-  if (distance <= sure_distance * size) {
+  // Close blocks: detection decides whether they touch. Simplices of slivers in the plane have large errors.
+  if (distance <= sure_distance<D> * size) {
     const Detected detected = detect(posed, frames, room);
     if (!(detected.gap > 0)) return closest;
     if constexpr (D == 2) {
