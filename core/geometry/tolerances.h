@@ -4,7 +4,7 @@ namespace halfspace {
 
 // The fractions by which core answers questions of numbers, by question. One question has one name and one
 // value. Each has its unit, or that of which it is a fraction; its meaning; and what a half and a double of
-// it break, as far as that is known. Not here: ranges that are accepted from users, limits of an algorithm
+// it put at risk, where that is known. Not here: ranges that are accepted from users, limits of an algorithm
 // (sizes, counts, the least part of a step) and constants of mathematics, which stand where they are used.
 
 // Rounding: what is it, and what is not?
@@ -48,8 +48,8 @@ constexpr double work_rounding = 1e-11;
 /// double: the limit, in proportion.
 constexpr double rounded_strain = 1e-3;
 
-/// Least divisor, of any unit: smaller ones are 0.
-constexpr double least_divisor = 1e-300;
+/// Minimum divisor, of any unit: smaller ones are 0. Half or double: nothing.
+constexpr double min_divisor = 1e-300;
 
 // Parallel: do two directions differ, do two faces look at each other?
 
@@ -206,7 +206,7 @@ constexpr double created_ratio = 0.995;
 
 /// Of the work of all impulses. An impact may lose this and at most that beside what restitution takes. Half:
 /// more trials. Double: energy of rebounds.
-constexpr double least_loss = 1e-8, largest_loss = 1e-3;
+constexpr double min_loss = 1e-8, max_loss = 1e-3;
 
 /// Of the energy of the changes of velocity. Lacking work above it may be a jam, above the second it is:
 /// where impulses have converged it is 0. Half: heavy loads on slow solves are jams. Double: jams take more

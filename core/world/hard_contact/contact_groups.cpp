@@ -191,7 +191,7 @@ template <class Four, bool changes>
   const Four bound = has_friction ? lanes<Four>(group.tan_friction) * load : none;
   const auto reverse = [&](Four * impulse) __attribute__((always_inline)) {
     if (!group.slips) return none;
-    const Four one = all_four<Four>(1), least = all_four<Four>(least_divisor);
+    const Four one = all_four<Four>(1), least = all_four<Four>(min_divisor);
     Four square = none;
     for (std::int32_t k = 0; k < group.friction_count; ++k)
       square = square + lanes<Four>(friction[k].slip) * lanes<Four>(friction[k].slip);
@@ -226,7 +226,7 @@ template <class Four, bool changes>
       square_beyond = square_beyond + beyond[k] * beyond[k];
     }
     const Four reversed = reverse(within);
-    const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(least_divisor));
+    const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(min_divisor));
     const Four scale = min(all_four<Four>(1), bound / size_beyond);
     for (std::int32_t k = 0; k < group.friction_count; ++k)
       change(friction[k],

@@ -170,7 +170,7 @@ struct ImpulseProblem {
     };
     const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
     if (slip > 0 && reverse_slip(int(rows.size()), slip, row_of, of_translation, bound, impulse.data(), 0.0,
-                                 1.0, least_divisor) > 0)
+                                 1.0, min_divisor) > 0)
       return HUGE_VAL;
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
     double common = 0;

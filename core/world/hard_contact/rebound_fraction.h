@@ -20,7 +20,7 @@ class ReboundFraction {
     const bool gains = work > work_rounding * size;
     if (gains ? value_ == 0 : value_ == 1 || work > -lost_) return false;
     (gains ? gain_ : loss_) = {value_ * value_, work};
-    if (value_ == 1) lost_ = std::min(std::max(4 * work, least_loss * size), largest_loss * size);
+    if (value_ == 1) lost_ = std::min(std::max(4 * work, min_loss * size), max_loss * size);
     if (value_ < 1 && gains) lost_ *= 4;  // the solver's tolerance hides less
     value_ = std::isnan(loss_.work) ? 0 : std::sqrt(square_at(-0.5 * lost_));
     return true;
