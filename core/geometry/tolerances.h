@@ -3,9 +3,10 @@
 namespace halfspace {
 
 // The fractions by which core answers questions of numbers, by question. One question has one name and one
-// value. Each has its unit, or that of which it is a fraction; its meaning; and what a half and a double of
-// it put at risk, where that is known. Not here: ranges that are accepted from users, limits of an algorithm
-// (sizes, counts, the least part of a step) and constants of mathematics, which stand where they are used.
+// value. Each has its unit, or that of which it is a fraction; its meaning; and what half or double of it
+// puts at risk. That follows from the code: no test has varied them yet. Not here: ranges that are accepted
+// from users, limits of an algorithm (sizes, counts, the least part of a step) and constants of mathematics,
+// which stand where they are used.
 
 // Rounding: what is it, and what is not?
 
