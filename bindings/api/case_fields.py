@@ -12,6 +12,7 @@ SUBJECTS = {"shape": "hs_shape_properties", "contact": "hs_contact", "impact": "
             "deformation": "hs_deformation", "report": "hs_world_report", "energy": "hs_energy"}
 SETTINGS = ["hs_world_def", "hs_law_def", "hs_elasticity_def", "hs_pair_options", "hs_motion_def"]
 RUST_SETTINGS = ["law", "elasticity", "motion", "world"]
+FORTRAN_SETTINGS = ["law", "elasticity"]
 # In Rust these are not functions of the same name.
 RUST_VALUES = {
     "hs_contact.type": "vec![f64::from(of.kind().value())]",
@@ -45,10 +46,11 @@ FORTRAN_HEAD = """\
 !> Fields and constants of the library by their names in C. The files count from 0, the modules from 1.
 module case_fields
   use halfspace
-  use, intrinsic :: iso_fortran_env, only: real64
+  use, intrinsic :: iso_fortran_env, only: int32, real64
   implicit none
   private
   public :: constant, {subjects}
+  public :: {setters}
 
 contains
 
@@ -131,7 +133,8 @@ def rust_value(struct, path, field):
 
 
 def write_fortran(api):
-    head = FORTRAN_HEAD.format(generated=api["generated"], subjects=", ".join(f"of_{each}" for each in SUBJECTS))
+    head = FORTRAN_HEAD.format(generated=api["generated"], subjects=", ".join(f"of_{each}" for each in SUBJECTS),
+                               setters=", ".join(f"set_{each}" for each in FORTRAN_SETTINGS))
     lines = [*head.splitlines(), *(f"    case ('{name}'); constant = {name}" for name in constants(api))]
     lines += ["    case default; error stop 'a case names a constant that is none'", "    end select",
               "  end function constant"]
@@ -145,7 +148,19 @@ def write_fortran(api):
                   for path, field in fields(api, struct, joint="%")]
         lines += [f"    case default; error stop 'a case names a field of {subject} that is none'",
                   "    end select", f"  end function of_{subject}"]
+    for setting in FORTRAN_SETTINGS:
+        lines += ["", *fortran_setting(meanings.find(api, f"hs_{setting}_def"), setting)]
     return "\n".join([*lines, "", "end module case_fields", ""])
+
+
+def fortran_setting(struct, setting):
+    lines = [f"  subroutine set_{setting}(of, field, value)", f"    type(halfspace_{setting}), intent(inout) :: of",
+             "    character(*), intent(in) :: field", "    real(real64), intent(in) :: value",
+             "    select case (field)"]
+    lines += [f"    case ('{path}'); of%{path} = {'value' if field['of'] == 'double' else 'int(value, int32)'}"
+              for path, field in fields({}, struct)]
+    return [*lines, f"    case default; error stop 'a case names a field of {setting} that is none'", "    end select",
+            f"  end subroutine set_{setting}"]
 
 
 def fortran_value(struct, value, field):

@@ -33,7 +33,7 @@ Vector<3> read_row(const hs_view& view, std::int64_t i, const char* name) {
 template <int D>
 hs_action_def read_action(const World<D>& world, const hs_action_def* given) {
   const hs_action_def def = read_definition(given, "def");
-  if (def.kind < HS_ACTION_VELOCITY || def.kind > HS_ACTION_SERVO)
+  if (def.kind < HS_ACTION_VELOCITY || ActionKind(def.kind) > ActionKind::last)
     refuse(HS_ERROR_ARGUMENT, "def.kind is %d; it must be an HS_ACTION_ value", def.kind);
   if (def.table < 0 || def.table >= world.model().actions.tables().count())
     refuse(HS_ERROR_STALE_ID, "def.table is %d; the world has %d tables", def.table,

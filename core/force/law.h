@@ -42,6 +42,8 @@ struct ContactLaw {
   bool is_damped() const { return !has_no_spring() && normal_damping + shear_damping > 0; }
   bool is_per_area() const { return stiffness_kind == StiffnessKind::per_area; }
   bool is_potential() const { return stiffness_kind == StiffnessKind::potential; }
+  /// Its springs are those of force/spring/point_springs.h.
+  bool has_springs_at_points() const { return !is_per_area() && !is_potential() && !has_no_spring(); }
   /// The stiffness of two aligned faces along their normal, N/m. `area`: of both, in 2D their length. By
   /// potentials they repel each other like springs per area of 2 k / H, with the potential length H.
   double face_stiffness(double area, double potential_length) const {

@@ -96,7 +96,7 @@ TEST_CASE("an action refuses every bad member of its definition") {
   std::vector<Spoiled<D>> any = {{"struct_size", "0", [](D& d) { d.struct_size = 0; }},
                                  {"struct_size", "4294967295", [](D& d) { d.struct_size = 0xffffffffu; }},
                                  {"def.kind", "-1", [](D& d) { d.kind = -1; }},
-                                 {"def.kind", "7", [](D& d) { d.kind = HS_ACTION_SERVO + 1; }},
+                                 {"def.kind", "99", [](D& d) { d.kind = 99; }},
                                  {"def.table", "-1", [](D& d) { d.table = -1; }, HS_ERROR_STALE_ID},
                                  {"def.table", "1", [](D& d) { d.table = 1; }, HS_ERROR_STALE_ID}};
   std::vector<Spoiled<D>> of_force = {{"def.place", "-1", [](D& d) { d.place = -1; }},

@@ -3,10 +3,6 @@
 namespace halfspace::cli {
 namespace {
 
-bool is_load(const Action& action) {
-  return action.kind == HS_ACTION_FORCE || action.kind == HS_ACTION_TORQUE;
-}
-
 bool is_angular(const Action& action) {
   return action.kind == HS_ACTION_ANGULAR_VELOCITY || action.kind == HS_ACTION_ANGULAR_ACCELERATION;
 }
@@ -14,7 +10,7 @@ bool is_angular(const Action& action) {
 }  // namespace
 
 bool can_follow(const LayoutBlock& block, const Action& action, int dimension) {
-  if (is_load(action)) return block.kind == HS_BLOCK_RIGID || block.kind == HS_BLOCK_AFFINE;
+  if (is_load(action.kind)) return block.kind == HS_BLOCK_RIGID || block.kind == HS_BLOCK_AFFINE;
   if (block.kind == HS_BLOCK_PRESCRIBED) return true;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
     if (action.scale[axis] != 0 && (block.motion.held_axes >> axis & 1) == 0) return false;
@@ -22,13 +18,13 @@ bool can_follow(const LayoutBlock& block, const Action& action, int dimension) {
 }
 
 const char* followers(const Action& action) {
-  return is_load(action) ? "a rigid or affine block; a mesh takes loads by [[mesh.load]]"
-                         : "a prescribed block, or a rigid one with these axes in its key hold";
+  return is_load(action.kind) ? "a rigid or affine block; a mesh takes loads by [[mesh.load]]"
+                              : "a prescribed block, or a rigid one with these axes in its key hold";
 }
 
 std::optional<std::string> GivenAxes::add(std::optional<std::size_t> block, std::size_t index,
                                           const Action& action) {
-  if (is_load(action)) return std::nullopt;
+  if (is_load(action.kind)) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool is_in_plane = is_angular(action) ? axis == 2 : axis < 2;
     if (action.scale[axis] == 0 || (dimension_ == 2 && !is_in_plane)) continue;

@@ -143,7 +143,7 @@ bool Keys::boolean(std::string_view key, bool fallback) {
   return fallback;
 }
 
-int Keys::word(std::string_view key, std::initializer_list<std::string_view> allowed,
+int Keys::word(std::string_view key, const std::vector<std::string_view>& allowed,
                std::optional<int> fallback) {
   const toml::node* node = find(key, joined(allowed), !fallback);
   if (node) {
@@ -376,7 +376,7 @@ Keys Keys::member(const toml::table& table, std::string_view key, std::size_t in
   return keys;
 }
 
-int Keys::kind(std::string_view key, std::initializer_list<std::string_view> allowed,
+int Keys::kind(std::string_view key, const std::vector<std::string_view>& allowed,
                std::optional<int> fallback) {
   kind_ = key;
   const std::size_t faults_before = faults_->count();

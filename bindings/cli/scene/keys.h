@@ -50,12 +50,10 @@ class Keys {
   std::string text(std::string_view key, std::optional<std::string> fallback);
   bool boolean(std::string_view key, bool fallback);
   /// The index of the word among the allowed ones.
-  int word(std::string_view key, std::initializer_list<std::string_view> allowed,
-           std::optional<int> fallback);
+  int word(std::string_view key, const std::vector<std::string_view>& allowed, std::optional<int> fallback);
   /// As word(), for a key that selects the other keys: while it is faulty, none of them is reported as
   /// missing or unknown.
-  int kind(std::string_view key, std::initializer_list<std::string_view> allowed,
-           std::optional<int> fallback);
+  int kind(std::string_view key, const std::vector<std::string_view>& allowed, std::optional<int> fallback);
   bool is_kind_known() const { return is_kind_known_; }
   /// Keys of the file that the kind does not have are left out with a note, as a setting has replaced it.
   void leave_out_others() { leaves_out_others_ = true; }

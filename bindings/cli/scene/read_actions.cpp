@@ -112,8 +112,7 @@ void note_values(Keys& keys, const Action& action) {
   for (const Point& value : action.table.values)
     for (std::size_t axis = 0; axis < 3; ++axis)
       largest = std::max(largest, std::abs(action.scale[axis] * value[axis]));
-  const bool is_load = action.kind == HS_ACTION_FORCE || action.kind == HS_ACTION_TORQUE;
-  if (largest == 0 && (is_load || action.kind == HS_ACTION_ACCELERATION)) {
+  if (largest == 0 && (is_load(action.kind) || action.kind == HS_ACTION_ACCELERATION)) {
     keys.note(key_of_rows(keys), "all values are 0: they have no effect");
   } else if (largest > max_acceleration && action.kind == HS_ACTION_ACCELERATION) {
     keys.note(key_of_rows(keys), rounded(largest, 3) + " m/s2 is unusual; usual: up to 100 m/s2");
@@ -139,10 +138,7 @@ Action read_action(Keys& keys, const Scene& scene) {
   action.on = keys.text("on", std::string());
   action.key = keys.path("on");
   action.place = keys.place("on");
-  action.kind = keys.kind(
-      "kind",
-      {"velocity", "angular_velocity", "acceleration", "angular_acceleration", "force", "torque", "servo"},
-      required);
+  action.kind = keys.kind("kind", {std::begin(action_names), std::end(action_names)}, required);
   if (!keys.has("on") && !keys.is_misspelt("on") && keys.is_kind_known() &&
       action.kind != HS_ACTION_ACCELERATION)
     keys.fault("on", "missing; required: the name of a block, except for an acceleration of all blocks");

@@ -11,7 +11,7 @@ namespace {
 void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
-  law.stiffness_kind = keys.kind("stiffness", {law_names[0], law_names[1], law_names[2], law_names[3]}, kind);
+  law.stiffness_kind = keys.kind("stiffness", {law_names.begin(), law_names.end()}, kind);
   const auto stiffness = [&](double inherited) {
     // A stiffness in other units cannot be inherited from the default law.
     return is_whole || changes_kind ? std::optional<double>() : inherited;

@@ -71,6 +71,13 @@ struct InSitu {
   Place place = {};
 };
 
+/// The names of actions in scene files, in the order of the HS_ACTION_ values.
+inline constexpr std::string_view action_names[] = {
+    "velocity", "angular_velocity", "acceleration", "angular_acceleration", "force", "torque", "servo"};
+inline bool is_load(int action_kind) {
+  return action_kind == HS_ACTION_FORCE || action_kind == HS_ACTION_TORQUE;
+}
+
 /// A motion or load in time of some blocks, or an acceleration of all blocks.
 struct Action {
   std::string on;  ///< name of a block or generator; empty: all blocks

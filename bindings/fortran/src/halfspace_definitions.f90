@@ -69,7 +69,7 @@ contains
     real(c_double), intent(in), optional :: tensile_strength  !< Pa, >= 0
     real(c_double), intent(in), optional :: normal_damping  !< damping ratio, >= 0; default 0.1
     real(c_double), intent(in), optional :: shear_damping  !< damping ratio, >= 0; default 0.1
-    !> HS_STIFFNESS_PER_CONTACT (default), _PER_AREA, _POTENTIAL or _NONE
+    !> an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     integer(c_int32_t), intent(in), optional :: stiffness_kind
     real(c_double), intent(in), optional :: restitution  !< of rigid blocks without springs, [0, 1]; default 0
     type(halfspace_law) :: law

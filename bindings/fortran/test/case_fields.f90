@@ -3,10 +3,11 @@
 !> Fields and constants of the library by their names in C. The files count from 0, the modules from 1.
 module case_fields
   use halfspace
-  use, intrinsic :: iso_fortran_env, only: real64
+  use, intrinsic :: iso_fortran_env, only: int32, real64
   implicit none
   private
   public :: constant, of_shape, of_contact, of_impact, of_block, of_deformation, of_report, of_energy
+  public :: set_law, set_elasticity
 
 contains
 
@@ -296,5 +297,36 @@ contains
     case default; error stop 'a case names a field of energy that is none'
     end select
   end function of_energy
+
+  subroutine set_law(of, field, value)
+    type(halfspace_law), intent(inout) :: of
+    character(*), intent(in) :: field
+    real(real64), intent(in) :: value
+    select case (field)
+    case ('stiffness_kind'); of%stiffness_kind = int(value, int32)
+    case ('normal_stiffness'); of%normal_stiffness = value
+    case ('shear_stiffness'); of%shear_stiffness = value
+    case ('friction_angle'); of%friction_angle = value
+    case ('cohesion'); of%cohesion = value
+    case ('tensile_strength'); of%tensile_strength = value
+    case ('normal_damping'); of%normal_damping = value
+    case ('shear_damping'); of%shear_damping = value
+    case ('restitution'); of%restitution = value
+    case default; error stop 'a case names a field of law that is none'
+    end select
+  end subroutine set_law
+
+  subroutine set_elasticity(of, field, value)
+    type(halfspace_elasticity), intent(inout) :: of
+    character(*), intent(in) :: field
+    real(real64), intent(in) :: value
+    select case (field)
+    case ('plane'); of%plane = int(value, int32)
+    case ('young_modulus'); of%young_modulus = value
+    case ('poisson_ratio'); of%poisson_ratio = value
+    case ('damping_time'); of%damping_time = value
+    case default; error stop 'a case names a field of elasticity that is none'
+    end select
+  end subroutine set_elasticity
 
 end module case_fields

@@ -1,6 +1,6 @@
 !> What a case has made so far, and the statements that make it. The files count from 0, the modules from 1.
 module case_scene
-  use case_fields, only: constant
+  use case_fields, only: constant, set_elasticity, set_law
   use case_words, only: longest_word, number, numbers
   use halfspace
   use, intrinsic :: iso_fortran_env, only: int8, int32, int64, real64
@@ -290,15 +290,7 @@ contains
     integer :: i
     law = halfspace_law()
     do i = 1, size(words), 2
-      select case (words(i))
-      case ('stiffness_kind'); law%stiffness_kind = constant(words(i + 1))
-      case ('normal_stiffness'); law%normal_stiffness = number(words(i + 1))
-      case ('shear_stiffness'); law%shear_stiffness = number(words(i + 1))
-      case ('friction_angle'); law%friction_angle = number(words(i + 1))
-      case ('normal_damping'); law%normal_damping = number(words(i + 1))
-      case ('shear_damping'); law%shear_damping = number(words(i + 1))
-      case default; error stop 'unknown field of a law'
-      end select
+      call set_law(law, words(i), number(words(i + 1)))
     end do
   end function law_of
 
@@ -307,13 +299,7 @@ contains
     integer :: i
     elasticity = halfspace_elasticity()
     do i = 1, size(words), 2
-      select case (words(i))
-      case ('plane'); elasticity%plane = constant(words(i + 1))
-      case ('young_modulus'); elasticity%young_modulus = number(words(i + 1))
-      case ('poisson_ratio'); elasticity%poisson_ratio = number(words(i + 1))
-      case ('damping_time'); elasticity%damping_time = number(words(i + 1))
-      case default; error stop 'unknown field of an elasticity'
-      end select
+      call set_elasticity(elasticity, words(i), number(words(i + 1)))
     end do
   end function elasticity_of
 

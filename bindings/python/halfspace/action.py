@@ -66,8 +66,8 @@ class ActedOn(Definitions):
         block : int or None
             None: all blocks that move freely, only with "acceleration".
         kind : ActionKind or its name
-            "velocity", "angular_velocity", "acceleration", "angular_acceleration" of a prescribed block, or along
-            held axes; "force", "torque" on a rigid or affine block; "servo": the force on its contacts.
+            Motions are of a prescribed block, or along held axes; loads are on a rigid or affine block. "servo": the
+            force on its contacts.
         table : int
             From `add_table`.
         scale : array_like

@@ -31,7 +31,7 @@ class Law:
     restitution : float
         Coefficient of restitution of rigid blocks, [0, 1]; only without springs, cohesion and tensile strength.
     stiffness_kind : StiffnessKind or its name
-        "per contact", "per area", "potential" or "none" (a unilateral constraint without springs).
+        As "per contact"; "none" is a unilateral constraint without springs.
 
     Examples
     --------

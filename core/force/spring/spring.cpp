@@ -50,6 +50,7 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     if (depth < 0 && !bonded) continue;
     const double stiffness = springs.part[i] * law_.normal_stiffness;
     const double elastic = stiffness * depth;
+    energy.strain += 0.5 * elastic * depth;
     double viscous = 0;
     if (law_.normal_damping > 0) {
       const Vector<D>& p = contact.points[i];
@@ -60,7 +61,6 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
       normal.viscous_force += viscous;
       weighted_viscous += viscous * contact.points[i];
     }
-    energy.strain += 0.5 * elastic * depth;
     normal.force += elastic + viscous;
     weighted += (elastic + viscous) * contact.points[i];
   }

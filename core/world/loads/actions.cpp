@@ -304,7 +304,7 @@ void Actions<D>::place_loads(const Blocks<D>& blocks) {
 template <int D>
 bool Actions<D>::is_consistent(const Blocks<D>& blocks) const {
   const auto is_kind = [](ActionKind kind) {
-    return kind >= ActionKind::velocity && kind <= ActionKind::servo;
+    return kind >= ActionKind::velocity && kind <= ActionKind::last;
   };
   const auto acts_on_its_block = [&](const Action<D>& action) {
     return action.slot < 0 || (std::size_t(action.slot) < blocks.slot_count() &&

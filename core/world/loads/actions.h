@@ -17,7 +17,8 @@ enum class ActionKind : std::int32_t {
   angular_acceleration = 3,
   force = 4,
   torque = 5,
-  servo = 6  // the force on contacts, controlled by the velocity of the block
+  servo = 6,  // the force on contacts, controlled by the velocity of the block
+  last = servo
 };
 
 inline bool is_load(ActionKind kind) { return kind == ActionKind::force || kind == ActionKind::torque; }

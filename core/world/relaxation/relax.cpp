@@ -137,8 +137,8 @@ Relaxed relax(World<D>& world, const Relaxation& relaxation) {
     state.edit();
   };
   state.model.settings.sleep_tolerance = 0;
-  const bool has_jumps = state.model.materials.laws().any(
-      [](const ContactLaw& law) { return law.stiffness_kind == StiffnessKind::per_contact; });
+  const bool has_jumps =
+      state.model.materials.laws().any([](const ContactLaw& law) { return law.has_springs_at_points(); });
   state.model.settings.safety =
       has_jumps ? std::min(settings.safety, safety_in_relaxation) : safety_in_relaxation;
   if (!leaves_room) state.model.settings.time_step = 0;

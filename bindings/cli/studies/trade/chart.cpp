@@ -12,6 +12,7 @@ namespace {
 
 constexpr double left = 84, top = 64, width = 560, height = 380, legend = 170;
 constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#3a7d44", "#7b3294"};
+static_assert(std::size(colours) == law_names.size());
 
 /// Whole decades that enclose the values.
 struct Decades {

@@ -3,12 +3,13 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <initializer_list>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
 #include "common/hash.h"
 #include "common/text.h"
+#include "studies/trade/runs.h"
 
 namespace halfspace::cli {
 namespace {
@@ -64,7 +65,7 @@ class Cells {
     if (!is_whole || !(value >= low && value <= high)) throw std::runtime_error("not a number: " + cell);
     return value;
   }
-  std::optional<int> maybe_one_of(std::initializer_list<int> allowed) {
+  std::optional<int> maybe_one_of(std::span<const int> allowed) {
     const std::optional<double> value = maybe_number(-1e9, 1e9);
     if (!value) return std::nullopt;
     for (const int one : allowed)
@@ -94,9 +95,8 @@ Result result_from(const std::string& row) {
   s.step = cells.number(1e-6, 1);
   s.stiffness = cells.number(1e-6, 1e6);
   s.cells = cells.number(1e-3, 1e3);
-  s.law = cells.maybe_one_of(
-      {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL, HS_STIFFNESS_NONE});
-  s.kind = cells.maybe_one_of({HS_BLOCK_RIGID, HS_BLOCK_AFFINE});
+  s.law = cells.maybe_one_of(law_kinds);
+  s.kind = cells.maybe_one_of(block_kinds);
   s.damping = cells.maybe_number(0, limit);
   s.skin = cells.maybe_number(0, 1);
   s.tolerance = cells.maybe_number(0, 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "studies/trade/setting.h"
@@ -13,8 +14,11 @@ inline constexpr double step_ladder[] = {1, 0.5, 0.25, 0.125, 0.0625};
 inline constexpr double held_step = 0.25;
 inline constexpr double stiffness_ladder[] = {0.01, 0.1, 10, 100};
 inline constexpr double cell_factors[] = {0.5, 2};
-inline constexpr int law_kinds[] = {HS_STIFFNESS_PER_CONTACT, HS_STIFFNESS_PER_AREA, HS_STIFFNESS_POTENTIAL,
-                                    HS_STIFFNESS_NONE};
+inline constexpr auto law_kinds = [] {
+  std::array<int, law_names.size()> kinds{};
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = static_cast<int>(i);
+  return kinds;
+}();
 inline constexpr int block_kinds[] = {HS_BLOCK_RIGID, HS_BLOCK_AFFINE};
 inline constexpr double damping_values[] = {0, 0.1, 0.3, 1};
 inline constexpr double skin_values[] = {0.02, 0.05, 0.3};
