@@ -141,38 +141,41 @@ void write_hard_contact(const World<D>& world, std::size_t c, hs_contact& out) {
 
 template <int D>
 void write_report(World<D>& w, hs_world_report* report, std::size_t size) {
-  const double stable = w.state().stable_step.bound();
-  const double overlap = w.state().largest_overlap();
+  State<D>& state = w.state();
+  const Clock& clock = state.clock;
+  const Ledger& ledger = state.ledger.entries();
+  const double stable = state.stable_step.bound();
+  const double overlap = state.largest_overlap();
   const hs_world_report ours = {
       D,
       0,
-      w.state().clock.steps(),
-      w.state().clock.time(),
-      w.state().clock.time_step(),
+      clock.steps(),
+      clock.time(),
+      clock.time_step(),
       std::isfinite(stable) ? stable : 0,
       w.blocks().count(),
-      std::int64_t(w.state().contacts.neighbors().pairs().size()),
+      std::int64_t(state.contacts.neighbors().pairs().size()),
       contact_count_of(w),
-      w.state().contacts.neighbors().builds(),
+      state.contacts.neighbors().builds(),
       overlap,
-      w.state().largest_speed(),
-      energy_of(w.state().ledger.entries()),
+      state.largest_speed(),
+      energy_of(ledger),
       w.model().materials.laws().knows_potential() ? w.model().potential_length() : 0,
-      w.state().ledger.entries().block_strain,
-      w.state().ledger.entries().block_damping_loss,
-      w.state().clock.divided_steps(),
-      w.state().penetration_bound.deepest(),
-      std::max(w.state().contacts.peak_overlap(), overlap),
-      w.state().peak_speed,
-      w.state().sleep.count(),
-      w.state().sleep.max_error(w.state().clock.time()),
-      w.state().hard_contacts.touches(),
-      w.state().hard_contacts.iterations(),
-      w.state().ledger.entries().impact_loss,
-      w.state().hard_contacts.unbalanced_velocity(),
-      w.state().ledger.entries().water,
-      w.state().bolt_strain,
-      w.state().ledger.entries().bolt_loss};
+      ledger.block_strain,
+      ledger.block_damping_loss,
+      clock.divided_steps(),
+      state.penetration_bound.deepest(),
+      std::max(state.contacts.peak_overlap(), overlap),
+      state.peak_speed,
+      state.sleep.count(),
+      state.sleep.max_error(clock.time()),
+      state.hard_contacts.touches(),
+      state.hard_contacts.iterations(),
+      ledger.impact_loss,
+      state.hard_contacts.unbalanced_velocity(),
+      ledger.water,
+      state.bolt_strain,
+      ledger.bolt_loss};
   write_sized(ours, report, size);
 }
 

@@ -15,7 +15,8 @@ Inertia<3> Inertia<3>::of(const InertiaTensor<3>& tensor) {
   return {principal.eigenvalues(), Rotation<3>::from_axes(x, y, cross_product(x, y)).straightened()};
 }
 
-/// Here and not in the header: of the copies that callers would make, the linker takes any, and some are slow.
+/// Here and not in the header: of the copies that callers would make, the linker takes any, and some are
+/// slow.
 Angular<3> Inertia<3>::spin(const Angular<3>& momentum, const Rotation<3>& rotation) const {
   const Rotation<3> turned = rotation * axes;
   return turned * Vector<3>((turned.inverse() * momentum).cwiseQuotient(moments));

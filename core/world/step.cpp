@@ -30,8 +30,7 @@ template <int D>
 StepResult World<D>::predict_rest(Motion& motion) {
   if (state_.ledger.is_unstable()) return StepResult::unstable;
   motion.duration = state_.clock.rest();
-  stages_.run(StageName::actions, StageName::drift, motion);
-  return motion.result;
+  return stages_.run(StageName::actions, StageName::drift, motion);
 }
 
 template <int D>

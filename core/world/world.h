@@ -11,7 +11,8 @@
 
 namespace halfspace {
 
-/// Blocks, their contacts, and time: edits change the state, and steps take them through the stages.
+/// A world is a model, a state, and the stages that take both from one time to the next. Edits change model
+/// and state.
 template <int D>
 class World {
  public:
@@ -28,7 +29,7 @@ class World {
   void set_law(std::int32_t a, std::int32_t b, const ContactLaw& law);
   std::int32_t add_block(const Shape<D>& shape, BlockKind kind, std::int32_t material,
                          const Vector<D>& position, const Rotation<D>& rotation);
-  /// Adds a compound of convex state, with its centroid at `pose`. `poses`: of the state, in one frame. If
+  /// Adds a compound of convex parts, with its centroid at `pose`. `poses`: of the parts, in one frame. If
   /// parts overlap, or memory runs out, nothing has changed.
   PlacedCompound add_compound(std::span<const Shape<D>* const> shapes, std::span<const Pose<D>> poses,
                               BlockKind kind, std::int32_t material, const Pose<D>& pose);

@@ -19,6 +19,12 @@ hs_status flood(Scene& s) {
 
 void arrange_bolt(Scene& s) { require_ok(bolt(s), s.context.get()); }
 void arrange_water(Scene& s) { require_ok(flood(s), s.context.get()); }
+/// The list of pairs stays while the water comes.
+void detect_and_flood(Scene& s) {
+  require_ok(hs_world_detect(s.world.get(), nullptr), s.context.get());
+  arrange_water(s);
+  require_ok(hs_world_detect(s.world.get(), nullptr), s.context.get());
+}
 
 }  // namespace
 
@@ -29,6 +35,8 @@ std::vector<EntryPoint> entry_points_of_loads() {
       {"hs_world_set_water", Allocates::always, flood},
       {"hs_world_get_water_loads", Allocates::always,
        [](S s) { return hs_world_get_water_loads(s.world.get(), room(s, 0), room(s, 1)); }, arrange_water},
+      {"hs_world_forces", Allocates::never,
+       [](S s) { return hs_world_forces(s.world.get(), 1e-5, room(s, 0), room(s, 1)); }, detect_and_flood},
       {"hs_bolt_def_init", Allocates::never, [](S) { return fill<hs_bolt_def>(hs_bolt_def_init); }},
       {"hs_world_add_bolt", Allocates::always, bolt},
       {"hs_world_remove_bolt", Allocates::never, [](S s) { return hs_world_remove_bolt(s.world.get(), 0); },

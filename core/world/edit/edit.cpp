@@ -131,7 +131,7 @@ void World<D>::set_applied_force(std::int32_t slot, const Vector<D>& force, cons
     state_.ledger.add_outer_power((torque - model_.blocks.applied_torque[s]).dot(model_.blocks.spin[s]));
   model_.blocks.applied_force[s] = force;
   model_.blocks.applied_torque[s] = torque;
-  if (!state_.edited) state_.integrator.accelerate(s);  // the next step begins under this force
+  if (!state_.is_edited()) state_.integrator.accelerate(s);  // the next step begins under this force
 }
 
 template <int D>

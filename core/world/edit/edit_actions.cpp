@@ -45,7 +45,7 @@ void World<D>::prescribe_velocity(std::int32_t slot, const Vector<D>& velocity, 
   const std::size_t s = std::size_t(slot);
   if (velocity == blocks.velocity[s] && spin == blocks.spin[s]) return;
   state_.drop_shared_motion();
-  if (!state_.edited) {
+  if (!state_.is_edited()) {
     state_.ledger.add_outer_power(blocks.force[s].dot(blocks.velocity[s] - velocity) +
                                   blocks.torque[s].dot(blocks.spin[s] - spin));
   }

@@ -52,10 +52,10 @@ bool bond_pair(Blocks<D>& blocks, std::int32_t a, std::int32_t b, std::int32_t l
 /// Adds the law and calls make(number), which makes bonds of this law and returns their number. Removes the
 /// law if there are none, or if memory runs out.
 template <int D, class Make>
-std::int64_t make_bonds_of(State<D>& parts, const BondLaw& law, Make make) {
-  Bonds<D>& bonds = parts.model.blocks.bonds();
-  NeighborList<D>& neighbors = parts.contacts.neighbors();
-  const std::int32_t number = bonds.add_law(law.weaker_by(parts.strength_factor));
+std::int64_t make_bonds_of(State<D>& state, const BondLaw& law, Make make) {
+  Bonds<D>& bonds = state.model.blocks.bonds();
+  NeighborList<D>& neighbors = state.contacts.neighbors();
+  const std::int32_t number = bonds.add_law(law.weaker_by(state.strength_factor));
   std::int64_t count = 0;
   try {
     count = make(number);
@@ -74,8 +74,8 @@ std::int64_t make_bonds_of(State<D>& parts, const BondLaw& law, Make make) {
   for (Candidate<D>& pair : neighbors.pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
   }
-  parts.forget_contacts();
-  parts.edit();
+  state.forget_contacts();
+  state.edit();
   return count;
 }
 

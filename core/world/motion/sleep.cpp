@@ -78,7 +78,7 @@ void Sleep<D>::join_by_bonds(const Blocks<D>& blocks) {
 }
 
 template <int D>
-bool Sleep<D>::put_to_sleep(double time, double least_sleep) {
+void Sleep<D>::put_to_sleep(double time, double least_sleep) {
   const std::int64_t before = sleeping_;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     if (rest_[i] != Rest::none) continue;
@@ -91,9 +91,7 @@ bool Sleep<D>::put_to_sleep(double time, double least_sleep) {
     next_wake_ = any() ? std::min(next_wake_, until_[i]) : until_[i];
     ++sleeping_;
   }
-  if (sleeping_ == before) return false;
-  ++changes_;
-  return true;
+  if (sleeping_ > before) ++changes_;
 }
 
 /// Wakes the islands for whose head `wakes(head)` is true.
@@ -118,9 +116,9 @@ bool Sleep<D>::wake_islands(Wakes wakes, double time) {
 }
 
 template <int D>
-bool Sleep<D>::wake_in_time(double time, double duration) {
-  if (!any() || next_wake_ > time + duration) return false;
-  return wake_islands([&](std::size_t head) { return until_[head] <= time + duration; }, time);
+void Sleep<D>::wake_in_time(double time, double duration) {
+  if (!any() || next_wake_ > time + duration) return;
+  wake_islands([&](std::size_t head) { return until_[head] <= time + duration; }, time);
 }
 
 /// Marks the head of a touched island by its until_, which is no longer needed.
@@ -142,10 +140,10 @@ void Sleep<D>::forget(std::size_t slot) {
 }
 
 template <int D>
-bool Sleep<D>::wake_island_of(std::size_t slot, double time) {
-  if (!is_asleep(slot)) return false;
+void Sleep<D>::wake_island_of(std::size_t slot, double time) {
+  if (!is_asleep(slot)) return;
   const std::size_t wanted = std::size_t(island_[slot]);
-  return wake_islands([&](std::size_t head) { return head == wanted; }, time);
+  wake_islands([&](std::size_t head) { return head == wanted; }, time);
 }
 
 template <int D>

@@ -47,7 +47,7 @@ class Sleep {
   void resize(std::size_t slots);
 
   bool any() const { return sleeping_ > 0; }
-  /// Grows whenever blocks fall asleep or wake.
+  /// How often blocks have fallen asleep or woken; not saved.
   std::uint32_t changes() const { return changes_; }
   std::int64_t count() const { return sleeping_; }
   bool is_asleep(std::size_t slot) const { return any() && rest_[slot] == Rest::asleep; }
@@ -67,10 +67,9 @@ class Sleep {
   double max_error(double time) const;
 
   /// Puts islands to sleep that may sleep long enough. `for_each_touch(visit)` calls `visit(a, b)` for all
-  /// blocks in touch, and `speed_bound_of(slot)` returns the bound of a free block. Returns true when more
-  /// blocks sleep than before.
+  /// blocks in touch, and `speed_bound_of(slot)` returns the bound of a free block.
   template <class ForEachTouch, class BoundOf>
-  bool look(const Model<D>& model, ForEachTouch for_each_touch, double time, double least_sleep,
+  void look(const Model<D>& model, ForEachTouch for_each_touch, double time, double least_sleep,
             BoundOf speed_bound_of) {
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       if (rest_[i] == Rest::asleep) continue;
@@ -81,10 +80,10 @@ class Sleep {
     for_each_touch([&](std::int32_t a, std::int32_t b) { join(a, b); });
     join_by_bonds(model.blocks);
     for (const Part<D>& part : model.blocks.compounds().parts()) join(part.compound, part.block);
-    return put_to_sleep(time, least_sleep);
+    put_to_sleep(time, least_sleep);
   }
-  /// Wakes islands whose sleep ends within `duration`. Returns true if there are any.
-  bool wake_in_time(double time, double duration);
+  /// Wakes islands whose sleep ends within `duration`.
+  void wake_in_time(double time, double duration);
   /// Wakes islands that a moving block touches. Returns true if there are any.
   template <class ForEachTouch>
   bool wake_touched(ForEachTouch for_each_touch, double time) {
@@ -96,8 +95,8 @@ class Sleep {
     });
     return is_touched && wake_marked(time);
   }
-  /// Wakes the island of a block. Returns true if it slept.
-  bool wake_island_of(std::size_t slot, double time);
+  /// Wakes the island of a block, if it sleeps.
+  void wake_island_of(std::size_t slot, double time);
   void wake_all(double time);
   /// Clears the slot of a removed block. Precondition: all blocks are awake.
   void forget(std::size_t slot);
@@ -121,7 +120,7 @@ class Sleep {
   void join_by_bonds(const Blocks<D>& blocks);
   bool mark_touched(std::int32_t mover, std::int32_t sleeper);
   bool wake_marked(double time);
-  bool put_to_sleep(double time, double least_sleep);
+  void put_to_sleep(double time, double least_sleep);
   template <class Wakes>
   bool wake_islands(Wakes wakes, double time);
 

@@ -30,17 +30,6 @@ Balance balance_of(const State<D>& state, BalanceRoom& room);
 extern template Balance balance_of(const State<2>&, BalanceRoom&);
 extern template Balance balance_of(const State<3>&, BalanceRoom&);
 
-/// Parameters of a dynamic relaxation.
-struct Relaxation {
-  bool by_largest = false;  // criterion: largest ratio; false: mean ratio
-  double ratio = 1e-5;
-  std::int64_t max_steps = 1000000;
-  double local_damping = 0.1;
-  bool is_adaptive = true;  // mass damping critical for the slowest remaining motion
-  bool holds_bonds = true;
-  double max_displacement = 0;  // failure beyond it, over a block's size; 0: no limit
-};
-
 /// Estimates the angular frequency of the slowest motion of a world by the Rayleigh quotient of displacements
 /// and the force changes due to them (Underwood 1983). Twice this frequency is the critical mass damping.
 template <int D>

@@ -4,8 +4,6 @@
 
 #include "world/copies.h"
 
-// Dynamic relaxation: steps under damping until forces balance (Cundall 1987).
-
 namespace halfspace {
 namespace {
 
@@ -127,7 +125,7 @@ Relaxed relax(World<D>& world, const Relaxation& relaxation) {
   const auto known = [&] { return std::tuple_cat(state.written_before_motion(), state.integrator.state()); };
   const auto before = copies_of(known(), memory);
   const auto epoch = copies_of(state.clock.epoch(), memory);
-  const bool was_edited = state.edited;
+  const bool was_edited = state.is_edited();
   const std::int64_t steps = state.clock.steps();
   const WorldSettings<D> settings = state.model.settings;
   const bool held_bonds = state.model.blocks.bonds().are_held();

@@ -7,6 +7,17 @@
 
 namespace halfspace {
 
+/// Parameters of a dynamic relaxation.
+struct Relaxation {
+  bool by_largest = false;  // criterion: largest ratio; false: mean ratio
+  double ratio = 1e-5;
+  std::int64_t max_steps = 1000000;
+  double local_damping = 0.1;
+  bool is_adaptive = true;  // mass damping critical for the slowest remaining motion
+  bool holds_bonds = true;
+  double max_displacement = 0;  // failure beyond it, over a block's size; 0: no limit
+};
+
 /// The result of a relaxation.
 struct Relaxed {
   StepResult result = StepResult::ok;

@@ -47,7 +47,7 @@ SharedMotion SharedStep<D>::needs_of_motion() {
   SharedMotion needs;
   needs.needs_assembly = state_.share.needs_assembly();
   Motion motion{.duration = state_.clock.rest()};
-  if (!stages_.run(StageName::actions, StageName::search, motion)) {
+  if (stages_.run(StageName::actions, StageName::search, motion) != StepResult::ok) {
     needs.result = StepResult::unstable;
     return needs;
   }

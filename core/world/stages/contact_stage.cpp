@@ -15,6 +15,7 @@ template <int D>
 template <class Visit>
 void ContactStage<D>::pass_over_pairs(Visit visit) {
   const bool any_spring =
+      !state_.hard_contacts.is_used() ||
       state_.model.materials.laws().any([](const ContactLaw& law) { return !law.has_no_spring(); });
   const std::size_t pairs = any_spring ? state_.contacts.neighbors().pairs().size() : 0;
   sum_each_chunk(state_.threads, pairs, pairs_per_chunk, sums_, visit);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "world/contacts/entrance.h"
 #include "world/stages/state.h"
 
@@ -23,11 +26,10 @@ class ContactStage {
   /// Adds their forces to the blocks and their energies to the ledger.
   void gather();
   /// The list of pairs is new.
-  void forget_sleeping() { loaded_sleep_ = none; }
+  void forget_sleeping() { loaded_sleep_.reset(); }
 
  private:
   using Evaluation = typename ForcePass<D>::Evaluation;
-  static constexpr std::uint64_t none = ~std::uint64_t(0);
 
   bool asks_no_pair() const;
   bool leaves_out(std::size_t k, const Chunk& chunk, PairSums& sums);
@@ -47,9 +49,9 @@ class ContactStage {
 
   State<D>& state_;
   Entrances<D> entrances_;
-  Array<PairSums> sums_;               // per chunk of pairs
-  double strain_of_sleeping_ = 0;      // J
-  std::uint64_t loaded_sleep_ = none;  // for which the forces of sleeping pairs are computed
+  Array<PairSums> sums_;                       // per chunk of pairs
+  double strain_of_sleeping_ = 0;              // J
+  std::optional<std::uint32_t> loaded_sleep_;  // Sleep::changes() when forces of sleeping pairs were computed
 };
 
 extern template class ContactStage<2>;

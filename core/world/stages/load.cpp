@@ -53,7 +53,7 @@ Outcome Stages<D>::load_by_bonds(Motion& motion) {
   return Outcome::done;
 }
 
-/// State pass their loads on to their compounds.
+/// Parts pass their loads on to their compounds.
 template <int D>
 Outcome Stages<D>::load_compounds(Motion&) {
   state_.forces.load_compounds();

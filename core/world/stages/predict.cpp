@@ -18,13 +18,12 @@ constexpr int max_located_motions = 64;
 /// An impact that passes from block to block lengthens motions each time.
 constexpr int max_renewals = 16;
 
-}  // namespace
-
-template <int D>
-Outcome Stages<D>::refuse(StepResult why, Motion& motion) const {
+Outcome refuse(StepResult why, Motion& motion) {
   motion.result = why;
-  return Outcome::is_refused;
+  return Outcome::refused;
 }
+
+}  // namespace
 
 template <int D>
 Outcome Stages<D>::diverged(Motion& motion) const {
@@ -72,7 +71,7 @@ Outcome Stages<D>::predict_impulses(Motion& motion) {
   if (!state_.contacts.neighbors().needs_rebuild()) return Outcome::done;
   if (++motion.renewals == max_renewals) return diverged(motion);
   renew_neighbors(motion.renewals);
-  return Outcome::predict_again;
+  return Outcome::relisted;
 }
 
 /// Shortens the predicted motion until it can be made at once: no block turns by more than an angle whose arc
@@ -98,17 +97,16 @@ Outcome Stages<D>::divide(Motion& motion) {
   if (is_overworked()) return refuse(StepResult::overworked, motion);
   motion.duration *= part;
   motion.renewals = 0;
-  return Outcome::is_shorter;
+  return Outcome::shortened;
 }
 
-#define HALFSPACE_MEMBERS(D)                                     \
-  template Outcome Stages<D>::refuse(StepResult, Motion&) const; \
-  template Outcome Stages<D>::diverged(Motion&) const;           \
-  template Outcome Stages<D>::predict_actions(Motion&);          \
-  template Outcome Stages<D>::predict(Motion&);                  \
-  template Outcome Stages<D>::search(Motion&);                   \
-  template Outcome Stages<D>::wake_met(Motion&);                 \
-  template Outcome Stages<D>::predict_impulses(Motion&);         \
+#define HALFSPACE_MEMBERS(D)                             \
+  template Outcome Stages<D>::diverged(Motion&) const;   \
+  template Outcome Stages<D>::predict_actions(Motion&);  \
+  template Outcome Stages<D>::predict(Motion&);          \
+  template Outcome Stages<D>::search(Motion&);           \
+  template Outcome Stages<D>::wake_met(Motion&);         \
+  template Outcome Stages<D>::predict_impulses(Motion&); \
   template Outcome Stages<D>::divide(Motion&);
 
 HALFSPACE_MEMBERS(2)

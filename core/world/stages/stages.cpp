@@ -18,11 +18,11 @@ bool has_actions(const State<D>& state) {
   return !state.model.actions.empty();
 }
 template <int D>
-bool has_sleepers(const State<D>& state) {
-  return state.sleep.any();
+bool may_meet_sleepers(const State<D>& state) {
+  return state.hard_contacts.is_used() && state.sleep.any();
 }
 template <int D>
-bool has_rigid_laws(const State<D>& state) {
+bool has_laws_without_spring(const State<D>& state) {
   return state.hard_contacts.is_used();
 }
 template <int D>
@@ -50,8 +50,8 @@ const typename Stages<D>::Stage& Stages<D>::stage_of(StageName name) {
       {StageName::actions, Pass::motion, has_actions, &Stages::predict_actions},
       {StageName::predict, Pass::motion, always, &Stages::predict},
       {StageName::search, Pass::search, always, &Stages::search},
-      {StageName::wake, Pass::hard_contacts, has_sleepers, &Stages::wake_met},
-      {StageName::impulses, Pass::hard_contacts, has_rigid_laws, &Stages::predict_impulses},
+      {StageName::wake, Pass::hard_contacts, may_meet_sleepers, &Stages::wake_met},
+      {StageName::impulses, Pass::hard_contacts, has_laws_without_spring, &Stages::predict_impulses},
       {StageName::divide, Pass::motion, always, &Stages::divide},
       {StageName::drift, Pass::motion, always, &Stages::drift},
       {StageName::contacts, Pass::pairs, always, &Stages::load_contacts},
@@ -61,14 +61,14 @@ const typename Stages<D>::Stage& Stages<D>::stage_of(StageName name) {
       {StageName::bonds, Pass::bonds, has_bonds, &Stages::load_by_bonds},
       {StageName::compounds, Pass::gather, has_compounds, &Stages::load_compounds},
       {StageName::loads, Pass::motion, has_actions, &Stages::place_loads},
-      {StageName::impacts, Pass::hard_contacts, has_rigid_laws, &Stages::find_impacts},
+      {StageName::impacts, Pass::hard_contacts, has_laws_without_spring, &Stages::find_impacts},
       {StageName::kick, Pass::motion, always, &Stages::kick},
-      {StageName::rebounds, Pass::hard_contacts, has_rigid_laws, &Stages::stop_approach},
+      {StageName::rebounds, Pass::hard_contacts, has_laws_without_spring, &Stages::stop_approach},
       {StageName::book, Pass::book, always, &Stages::book},
   };
+  constexpr auto follows = [](const Stage& s, const Stage& t) { return t.name <= s.name; };
   static_assert(std::size(all) == std::size_t(StageName::end) &&
-                std::is_sorted(std::begin(all), std::end(all),
-                               [](const Stage& s, const Stage& t) { return s.name < t.name; }));
+                std::adjacent_find(std::begin(all), std::end(all), follows) == std::end(all));
   return all[std::size_t(name)];
 }
 
@@ -80,18 +80,18 @@ Stages<D>::Stages(State<D>& state)
       water_(state.model, state.forces, state.share, state.threads, state.memory()) {}
 
 template <int D>
-bool Stages<D>::run(StageName from, StageName to, Motion& motion) {
+StepResult Stages<D>::run(StageName from, StageName to, Motion& motion) {
   for (StageName next = from; next != to;) {
     const Stage& stage = stage_of(next);
     next = StageName(std::size_t(next) + 1);
     if (!stage.is_used(state_)) continue;
     const Outcome outcome = (this->*stage.run)(motion);
     if (stopwatch_) stopwatch_->lap(stage.pass);
-    if (outcome == Outcome::is_refused) return false;
-    if (outcome == Outcome::is_shorter) next = StageName::actions;
-    if (outcome == Outcome::predict_again) next = StageName::predict;
+    if (outcome == Outcome::refused) break;
+    if (outcome == Outcome::shortened) next = StageName::actions;
+    if (outcome == Outcome::relisted) next = StageName::predict;
   }
-  return true;
+  return motion.result;
 }
 
 template <int D>
@@ -120,7 +120,7 @@ void Stages<D>::fit_rooms() {
   state_.continuous_collision.fit_room();
   state_.forces.fit_rooms();
   state_.hard_contacts.fit_room();
-  if (has_water(state_)) water_.fit_room();
+  water_.fit_room();  // a table may come while the list stays
   contacts_.fit_room();
 }
 
@@ -134,7 +134,7 @@ void Stages<D>::renew_neighbors(int renewals) {
   if (!bonds.rings().is_current()) bonds.rings().find(model.blocks);
   const bool with_shear =
       model.materials.laws().any([](const ContactLaw& law) { return law.resists_shear(); });
-  const SkinRule skins{model.settings.skin, has_rigid_laws(state_) ? 4.0 : 1.0, renewals == 0,
+  const SkinRule skins{model.settings.skin, has_laws_without_spring(state_) ? 4.0 : 1.0, renewals == 0,
                        state_.share.common().typical_radius};
   neighbors.search_again(model.blocks, skins, with_shear);
   state_.contacts.fit_room();
@@ -193,7 +193,6 @@ StepResult Stages<D>::load_changed() {
   state_.stable_step.reserve(slots);
   state_.integrator.reserve(slots);
   if (may_sleep) state_.sleep.reserve(slots);
-  if (has_water(state_)) water_.fit_room();
   if (!choose_time_step()) return StepResult::no_time_step;
   state_.integrator.resize(slots);
   if (!model.viscous_nodes.empty()) model.viscous_nodes.renew(model.blocks.meshes());

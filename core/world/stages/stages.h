@@ -56,8 +56,9 @@ enum class StageName {
   end
 };
 
-/// What follows a stage. The predicting ones may return to an earlier one, or refuse the motion.
-enum class Outcome { done, is_shorter, predict_again, is_refused };
+/// What follows a stage. The predicting ones may have shortened the motion, or made a new neighbour list for
+/// it, so that it is predicted again; or they refuse it.
+enum class Outcome { done, shortened, relisted, refused };
 
 /// The stages of the motions of a world, and their working memory.
 template <int D>
@@ -65,8 +66,8 @@ class Stages {
  public:
   explicit Stages(State<D>& state);
 
-  /// Runs stages from one up to another. False if the motion is refused: motion.result says why.
-  bool run(StageName from, StageName to, Motion& motion);
+  /// Runs stages from one up to another, or until one refuses the motion. Returns why, or that it is ok.
+  StepResult run(StageName from, StageName to, Motion& motion);
 
   /// Computes the contacts and their forces where the blocks are. `elapsed`: time over which shear springs
   /// grow, s.
@@ -88,7 +89,7 @@ class Stages {
   void renew_neighbors_if_needed();
   /// Finds what snapshots do not contain. Precondition: the state that was read is consistent.
   void end_reading();
-  /// Reserves the working memory of laws and times of impact, which snapshots do not contain.
+  /// Reserves the working memory of pairs, laws, water and times of impact, which snapshots do not contain.
   void fit_rooms();
 
   /// Call before the first motion of a step.
@@ -126,7 +127,6 @@ class Stages {
   Outcome wake_met(Motion& motion);
   Outcome predict_impulses(Motion& motion);
   Outcome divide(Motion& motion);
-  Outcome refuse(StepResult why, Motion& motion) const;
   Outcome diverged(Motion& motion) const;
 
   // stages/move.cpp

@@ -19,8 +19,9 @@
 
 namespace halfspace {
 
-/// What a world keeps from step to step besides its model: parts, each after those that it reads. Stages
-/// (stages/stages.h) take them from one time to the next. Says once what several parts have to be told.
+/// What a world keeps from step to step: parts, each after those that it reads, and the model, which it
+/// refers to. Stages (stages/stages.h) take them from one time to the next. Says once what several parts have
+/// to be told.
 template <int D>
 struct State {
   /// The model, and the threads, if any, must outlive the state.
