@@ -413,8 +413,6 @@ std::vector<EntryPoint> entry_points_of_shapes_and_blocks() {
        }},
       {"hs_world_detect", Allocates::always,
        [](S s) { return hs_world_detect(s.world.get(), &s.written.counts[0]); }},
-      {"hs_world_forces", Allocates::never,
-       [](S s) { return hs_world_forces(s.world.get(), 0, room(s, 0), room(s, 1)); }, detect},
       {"hs_world_step", Allocates::always, step, throw_upper_prepared},
       {"hs_world_get_report", Allocates::always,
        [](S s) { return hs_world_get_report(s.world.get(), &s.written.report, sizeof s.written.report); }},
