@@ -11,7 +11,7 @@ namespace halfspace {
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
-/// What a host gave of a law where the law itself has something else.
+/// Settings of a law as a host gave them, where the law itself has something else.
 struct LawAsGiven {
   double shear_stiffness = 0;   // 0: as the normal one
   double friction_angle = 0;    // rad; this and what follows: before division by the strength factor

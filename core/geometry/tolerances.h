@@ -14,8 +14,8 @@ namespace halfspace {
 /// beside that formula.
 constexpr double machine_epsilon = 0x1p-52;
 
-/// Of a distance from an origin. What some ten operations make of a place at that distance. Half: a point on
-/// a face is beside it in one step and on it in the next. Double: faces that make an angle are one.
+/// Fraction of a distance from an origin. What some ten operations make of a place at that distance. Half: a
+/// point on a face is beside it in one step and on it in the next. Double: faces that make an angle are one.
 constexpr double place_rounding = 16 * machine_epsilon;
 
 /// 1 or a little more: a bound times this stays one after rounding. Half or double of the excess: no result.
@@ -25,24 +25,25 @@ constexpr double bound_margin = 1 + 1e-9;
 /// excess: no result; a thousandth of it: regions that nobody tests.
 constexpr double proof_margin = 1.001;
 
-/// Of the rounding of its corners. Error of the plane of a sliver, of a polytope about the origin. Half: of
-/// many sides of nearly the same depth, one far away is missed. Double: more pairs are searched twice.
+/// Multiple of the rounding of its corners. Error of the plane of a sliver, of a polytope about the origin.
+/// Half: of many sides of nearly the same depth, one far away is missed. Double: more pairs are searched
+/// twice.
 constexpr double sliver_rounding = 1e8;
 
-/// Of themselves. Impulses, changes of velocity and depths that differ by less are equal. Half: the solver's
-/// noise makes impacts, and breaks bonds at their strength. Double: nothing known.
+/// Fraction of themselves. Impulses, changes of velocity and depths that differ by less are equal. Half: the
+/// solver's noise makes impacts, and breaks bonds at their strength. Double: nothing known.
 constexpr double equal_within = 1e-6;
 
-/// Of the distance at which faces are flush. The face of a pressure stays while another is nearer to the
-/// middle of the overlap by less. Half: contacts change their face by rounding. Double: nothing known.
+/// Fraction of the distance at which faces are flush. The face of a pressure stays while another is nearer to
+/// the middle of the overlap by less. Half: contacts change their face by rounding. Double: nothing known.
 constexpr double same_face = 2e-9;
 
-/// Of the largest velocity. Rounding of velocities, below which no solver gets. Half: solves end by their cap
-/// of iterations. Double: nothing known.
+/// Fraction of the largest velocity. Rounding of velocities, below which no solver gets. Half: solves end by
+/// their cap of iterations. Double: nothing known.
 constexpr double velocity_rounding = 1e-14;
 
-/// Of the work of all impulses. Rounding of their sum. Half: rebounds without friction are solved again.
-/// Double: nothing known.
+/// Fraction of the work of all impulses. Rounding of their sum. Half: rebounds without friction are solved
+/// again. Double: nothing known.
 constexpr double work_rounding = 1e-11;
 
 /// The strain of a cell by rounding of places. It limits the distance of a body from its origin. Half or
@@ -81,141 +82,145 @@ constexpr double facing_cosine = 0.02;
 /// blocks that pass a corner enter by its side. Double: none may be an entry.
 constexpr double revealed_cosine = 0.5;
 
-/// Of the sum of a convex combination. Half the digits of a double: between opposite, nearly parallel planes
-/// a rate is 0 to rounding, and a basis with that pivot would be singular. Half or double: nothing known.
+/// Fraction of the sum of a convex combination. Half the digits of a double: between opposite, nearly
+/// parallel planes a rate is 0 to rounding, and a basis with that pivot would be singular. Half or double:
+/// nothing known.
 constexpr double singular_pivot = 0x1p-26;
 
-/// Of the inverse effective mass along the normal. That along a face is no less: where supports of both
-/// blocks hold a contact, friction only opposes the slip. Half or double: nothing known.
+/// Fraction of the inverse effective mass along the normal. That along a face is no less: where supports of
+/// both blocks hold a contact, friction only opposes the slip. Half or double: nothing known.
 constexpr double held_mass = 1e-6;
 
 // Touching: is a point on a face, is a gap one?
 
-/// Of a block's size, its radius or that of a face. Blocks cut along a joint, or read from a file, touch up
-/// to rounding: a smaller gap or overlap counts as a common face, a point less deep is settled, and a block
-/// slides over a joint whose edges are off by as little. Half: bonds of scenes with few digits are missed.
-/// Double: joints that are thinner than this close.
+/// Fraction of a block's size, its radius or that of a face. Blocks cut along a joint, or read from a file,
+/// touch up to rounding: a smaller gap or overlap counts as a common face, a point less deep is settled, and
+/// a block slides over a joint whose edges are off by as little. Half: bonds of scenes with few digits are
+/// missed. Double: joints that are thinner than this close.
 constexpr double touch_reach = 1e-6;
 
-/// Of a block's size. A point nearer to a face is on it; separations, and ends of faces, that differ by less
-/// are equal; and a narrower region is a line. Far from the origin place_rounding is more. Half: points bear
-/// in one step and not in the next. Double: nothing known.
+/// Fraction of a block's size. A point nearer to a face is on it; separations, and ends of faces, that differ
+/// by less are equal; and a narrower region is a line. Far from the origin place_rounding is more. Half:
+/// points bear in one step and not in the next. Double: nothing known.
 constexpr double face_reach = 1e-9;
 
-/// Of a length, or of a motion's duration. What is nearer to its end is at the end: a place on an edge at the
-/// vertex, an impact at the start. Half or double: ends of edges that meet are counted twice or missed.
+/// Fraction of a length, or of a motion's duration. What is nearer to its end is at the end: a place on an
+/// edge at the vertex, an impact at the start. Half or double: ends of edges that meet are counted twice or
+/// missed.
 constexpr double end_reach = 1e-6;
 
-/// Of the smaller radius. Ends of bonds that are nearer to each other are one corner. Half: files with few
-/// digits have rings that are open. Double: small faces beside large ones become one corner.
+/// Fraction of the smaller radius. Ends of bonds that are nearer to each other are one corner. Half: files
+/// with few digits have rings that are open. Double: small faces beside large ones become one corner.
 constexpr double corner_reach = 1e-4;
 
-/// Of the smaller radius. Points of a manifold that are nearer are the same from step to step, and keep their
-/// impulse. Half: solves begin anew where blocks slide. Double: points of short faces exchange their
-/// impulses.
+/// Fraction of the smaller radius. Points of a manifold that are nearer are the same from step to step, and
+/// keep their impulse. Half: solves begin anew where blocks slide. Double: points of short faces exchange
+/// their impulses.
 constexpr double same_point = 0.05;
 
-/// Of a block's size. Surfaces that differ by less are flush: files round coordinates, and supports deflect;
-/// and an edge that lies on a face as nearly, or is as nearly parallel to another, has two points there
-/// instead of one. Half: blocks catch at joints of floors that bear them. Double: they pass a step of that
-/// height.
+/// Fraction of a block's size. Surfaces that differ by less are flush: files round coordinates, and supports
+/// deflect; and an edge that lies on a face as nearly, or is as nearly parallel to another, has two points
+/// there instead of one. Half: blocks catch at joints of floors that bear them. Double: they pass a step of
+/// that height.
 constexpr double nearly_flush = 1e-3;
 
-/// Of a block's radius. Edges that lie deeper in each other are those of other sides. Half: edges pass
-/// through each other. Double: edges of thin blocks meet those behind.
+/// Fraction of a block's radius. Edges that lie deeper in each other are those of other sides. Half: edges
+/// pass through each other. Double: edges of thin blocks meet those behind.
 constexpr double other_side = 1e-2;
 
-/// Of the size of both blocks. Where closest points are nearer, detection decides whether blocks touch:
-/// simplices of slivers in the plane have large errors. Half or double: no result, but time.
+/// Fraction of the size of both blocks. Where closest points are nearer, detection decides whether blocks
+/// touch: simplices of slivers in the plane have large errors. Half or double: no result, but time.
 template <int D>
 constexpr double sure_distance = D == 2 ? 0x1p-16 : 0x1p-40;
 
 // Motion: how far may blocks go before a question is asked again?
 
-/// Of the thinner block's thickness, per motion. Below it two blocks cannot pass through each other
+/// Fraction of the thinner block's thickness, per motion. Below it two blocks cannot pass through each other
 /// undetected, or past each other's middle. Half: more motions are divided. Double: thin blocks meet at their
 /// far side.
 constexpr double safe_thickness_fraction = 0.25;
 
-/// Of the thinner block's thickness. Manifolds are found where blocks would be at the end of a motion:
-/// overlaps there up to this show the faces that meet. Half: more motions are divided. Double: blocks pass
-/// each other.
+/// Fraction of the thinner block's thickness. Manifolds are found where blocks would be at the end of a
+/// motion: overlaps there up to this show the faces that meet. Half: more motions are divided. Double: blocks
+/// pass each other.
 constexpr double manifold_thickness_fraction = 0.5;
 
-/// Of the thinner block's thickness. In a shorter motion the order in which faces close does not matter.
-/// Half: time. Double: corners that meet at once enter by the wrong face.
+/// Fraction of the thinner block's thickness. In a shorter motion the order in which faces close does not
+/// matter. Half: time. Double: corners that meet at once enter by the wrong face.
 constexpr double short_way = 0x1p-8;
 
-/// Of a block's radius. Blocks that have moved less against each other have the manifold that they had, as
-/// long as they move: where they stand it is that of their place (an idea of Box2D v3 and Box3D, Catto 2024).
-/// The search is repeated where they deviate by more from motion at constant velocity. Half: time. Double:
-/// points stay on faces that turn.
+/// Fraction of a block's radius. Blocks that have moved less against each other have the manifold that they
+/// had, as long as they move: where they stand it is that of their place (an idea of Box2D v3 and Box3D,
+/// Catto 2024). The search is repeated where they deviate by more from motion at constant velocity. Half:
+/// time. Double: points stay on faces that turn.
 constexpr double same_manifold = 1e-3;
 
-/// Of a motion. A part this large is the whole: times of impact are accurate to rounding. Half or double of
-/// the difference from 1: nothing known.
+/// Fraction of a motion. A part this large is the whole: times of impact are accurate to rounding. Half or
+/// double of the difference from 1: nothing known.
 constexpr double whole_part = 1 - 1e-12;
 
-/// Of a motion. Times of impact are accurate to this. Half: more trials. Double: energy of rebounds.
+/// Fraction of a motion. Times of impact are accurate to this. Half: more trials. Double: energy of rebounds.
 constexpr double matched_time = 1e-3;
 
-/// Of the depth, per step. Penetration without springs loses this. Half: overlaps stay longer. Double: heaps
-/// are pushed apart.
+/// Fraction of the depth, per step. Penetration without springs loses this. Half: overlaps stay longer.
+/// Double: heaps are pushed apart.
 constexpr double recovered_part = 0.25;
 
-/// Of the radius, per motion. Points of meshes that overlap at its start come apart by this. Half: overlaps
-/// stay longer. Double: overlaps become velocities.
+/// Fraction of the radius, per motion. Points of meshes that overlap at its start come apart by this. Half:
+/// overlaps stay longer. Double: overlaps become velocities.
 constexpr double recovered_way = 1e-7;
 
-/// Of the extent of a joint. One that has slid farther is replaced by contact, which computes the current
-/// overlap of its faces. Half or double: the slip at which it is.
+/// Fraction of the extent of a joint. One that has slid farther is replaced by contact, which computes the
+/// current overlap of its faces. Half or double: the slip at which it is.
 constexpr double slid_joint = 0.1;
 
 // Converged: may a solver end, and has it found what was sought?
 
-/// Of the largest velocity, or of 1. Changes below it: the solution is that of the last iteration. Half: the
-/// sweeps over points of meshes go on. Double: a point leaves its face.
+/// Fraction of the largest velocity, or of 1. Changes below it: the solution is that of the last iteration.
+/// Half: the sweeps over points of meshes go on. Double: a point leaves its face.
 constexpr double converged_change = 1e-8;
 
-/// Of a block's size. Points of solutions that have converged are closer to their face than this, on either
-/// side: loaded ones rest on it, deeper ones are reported. Half: walls of many blocks do not settle; fast
-/// ones are reported. Double: gaps stay open.
+/// Fraction of a block's size. Points of solutions that have converged are closer to their face than this, on
+/// either side: loaded ones rest on it, deeper ones are reported. Half: walls of many blocks do not settle;
+/// fast ones are reported. Double: gaps stay open.
 constexpr double converged_gap = 1e-3;
 
-/// Of a tolerance. Solutions go on to this part of it, so that the next step begins within it. Half: more
-/// iterations per step. Double: more steps with any.
+/// Fraction of a tolerance. Solutions go on to this part of it, so that the next step begins within it. Half:
+/// more iterations per step. Double: more steps with any.
 constexpr double solved_within = 0.1;
 
-/// Of a tolerance. A linear solve is refined to this, and smaller velocities are its noise. Half: time.
-/// Double: active sets take noise for a slip.
+/// Fraction of a tolerance. A linear solve is refined to this, and smaller velocities are its noise. Half:
+/// time. Double: active sets take noise for a slip.
 constexpr double refined_within = 1e-3;
 
-/// Of what was before. An iteration gains that leaves less: active sets are tried again, kept as a start of
-/// sweeps, or not made stiffer. Half: tall stacks are left to sweeps. Double: sets cost time in heaps.
+/// Fraction of what was before. An iteration gains that leaves less: active sets are tried again, kept as a
+/// start of sweeps, or not made stiffer. Half: tall stacks are left to sweeps. Double: sets cost time in
+/// heaps.
 constexpr double worthwhile = 0.1;
 
-/// Of the least before. Active sets do not settle when one leaves more than this. Half: sets are given up
-/// that would settle. Double: sets cost time in heaps.
+/// Multiple of the least before. Active sets do not settle when one leaves more than this. Half: sets are
+/// given up that would settle. Double: sets cost time in heaps.
 constexpr double diverged_ratio = 2;
 
-/// Of the least before. Changes that have not fallen below it in many sweeps stall. Half: solves end early.
+/// Fraction of the least before. Changes that have not fallen below it in many sweeps stall. Half: solves end
+/// early.
 constexpr double falling_ratio = 0.999;
 
-/// Of the present energy. When the numerical method has created more of it, the step is unstable. Half:
-/// worlds near the stable step stop. Double: none does.
+/// Fraction of the present energy. When the numerical method has created more of it, the step is unstable.
+/// Half: worlds near the stable step stop. Double: none does.
 constexpr double created_ratio = 0.995;
 
-/// Of the work of all impulses. An impact may lose this and at most that beside what restitution takes. Half:
-/// more trials. Double: energy of rebounds.
+/// Fraction of the work of all impulses. An impact may lose this and at most that beside what restitution
+/// takes. Half: more trials. Double: energy of rebounds.
 constexpr double min_loss = 1e-8, max_loss = 1e-3;
 
-/// Of the energy of the changes of velocity. Lacking work above it may be a jam, above the second it is:
-/// where impulses have converged it is 0. Half: heavy loads on slow solves are jams. Double: jams take more
-/// sweeps.
+/// Multiple of the energy of the changes of velocity. Lacking work above it may be a jam, above the second it
+/// is: where impulses have converged it is 0. Half: heavy loads on slow solves are jams. Double: jams take
+/// more sweeps.
 constexpr double suspected_ratio = 1, jammed_ratio = 10;
 
-/// Of the work of prescribed blocks, regardless of sign. Those that move together, as the walls of a box, do
-/// no work against each other. Half: boxes that turn are jams. Double: none is one.
+/// Fraction of the work of prescribed blocks, regardless of sign. Those that move together, as the walls of a
+/// box, do no work against each other. Half: boxes that turn are jams. Double: none is one.
 constexpr double jamming_work_fraction = 0.5;
 
 // Resting: does a block stand? Fractions of the velocity that gravity gives in a step.

@@ -116,7 +116,6 @@ class World {
   Stages<D>& stages() { return stages_; }
 
  private:
-  void change_laws();
   MeshFaultReport add_surface(std::int32_t body, std::span<const SurfaceSimplex<D>> simplices,
                               std::span<const std::int32_t> cell_materials);
   void weigh_surface(std::int32_t body, Array<int>& bearing);

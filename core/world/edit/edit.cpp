@@ -12,22 +12,15 @@ std::int32_t World<D>::add_material(double density) {
 }
 
 template <int D>
-void World<D>::change_laws() {
-  state_.contacts.neighbors().invalidate();  // shear springs may be needed now
-  state_.forget_contacts();
-  state_.edit();
-}
-
-template <int D>
 void World<D>::set_default_law(const ContactLaw& law) {
   model_.materials.laws().set_default(law.weaker_by(state_.strength_factor));
-  change_laws();
+  state_.change_pairs();
 }
 
 template <int D>
 void World<D>::set_law(std::int32_t a, std::int32_t b, const ContactLaw& law) {
   model_.materials.laws().set(a, b, law.weaker_by(state_.strength_factor));
-  change_laws();
+  state_.change_pairs();
 }
 
 template <int D>
@@ -146,7 +139,6 @@ bool World<D>::set_shear_force(std::size_t which, const Vector<D>& force) {
 
 #define HALFSPACE_MEMBERS(D)                                                                            \
   template std::int32_t World<D>::add_material(double);                                                 \
-  template void World<D>::change_laws();                                                                \
   template void World<D>::set_default_law(const ContactLaw&);                                           \
   template void World<D>::set_law(std::int32_t, std::int32_t, const ContactLaw&);                       \
   template std::int32_t World<D>::add_block(const Shape<D>&, BlockKind, std::int32_t, const Vector<D>&, \

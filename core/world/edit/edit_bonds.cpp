@@ -54,7 +54,6 @@ bool bond_pair(Blocks<D>& blocks, std::int32_t a, std::int32_t b, std::int32_t l
 template <int D, class Make>
 std::int64_t make_bonds_of(State<D>& state, const BondLaw& law, Make make) {
   Bonds<D>& bonds = state.model.blocks.bonds();
-  NeighborList<D>& neighbors = state.contacts.neighbors();
   const std::int32_t number = bonds.add_law(law.weaker_by(state.strength_factor));
   std::int64_t count = 0;
   try {
@@ -69,13 +68,11 @@ std::int64_t make_bonds_of(State<D>& state, const BondLaw& law, Make make) {
   }
   bonds.index();
   bonds.rings().invalidate();
-  neighbors.invalidate();  // rings of bonds exclude pairs
   // Bonds replace the bonds of contact laws.
-  for (Candidate<D>& pair : neighbors.pairs()) {
+  for (Candidate<D>& pair : state.contacts.neighbors().pairs()) {
     if (pair.bonded && bonds.keeps(pair.a, pair.b)) pair.bonded = 0;
   }
-  state.forget_contacts();
-  state.edit();
+  state.change_pairs();  // rings of bonds exclude pairs
   return count;
 }
 

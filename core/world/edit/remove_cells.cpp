@@ -127,9 +127,7 @@ MeshFaultReport World<D>::remove_cells(std::int32_t which, std::span<const std::
   }
   weigh_surface(which, bearing);
   blocks.bonds().rings().invalidate();
-  state_.contacts.neighbors().invalidate();
-  state_.forget_contacts();
-  state_.edit();
+  state_.change_pairs();
   return report;
 }
 

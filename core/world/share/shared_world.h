@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-// What a world and its shares tell of each other: keys, common properties, sums, and how far copies reach.
+// Keys, common properties and sums of a world and its shares, and how far copies reach.
 
 /// Names the living blocks, in ascending order.
 template <int D>

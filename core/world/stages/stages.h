@@ -56,7 +56,7 @@ enum class StageName {
   end
 };
 
-/// What follows a stage. The predicting ones may have shortened the motion, or made a new neighbour list for
+/// The outcome of a stage. Predicting stages may have shortened the motion, or made a new neighbour list for
 /// it, so that it is predicted again; or they refuse it.
 enum class Outcome { done, shortened, relisted, refused };
 

@@ -31,6 +31,13 @@ void State<D>::edit() {
 }
 
 template <int D>
+void State<D>::change_pairs() {
+  contacts.neighbors().invalidate();
+  forget_contacts();
+  edit();
+}
+
+template <int D>
 void State<D>::drop_motion() {
   model.actions.drop_motion(model.blocks);
   hard_contacts.drop_motion();

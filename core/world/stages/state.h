@@ -19,9 +19,9 @@
 
 namespace halfspace {
 
-/// What a world keeps from step to step: parts, each after those that it reads, and the model, which it
-/// refers to. Stages (stages/stages.h) take them from one time to the next. Says once what several parts have
-/// to be told.
+/// All that a world keeps from step to step: parts, each after those that it reads, and the model, which it
+/// refers to. Stages (stages/stages.h) take them from one time to the next. Its functions say once whatever
+/// several parts have to be told.
 template <int D>
 struct State {
   /// The model, and the threads, if any, must outlive the state.
@@ -33,6 +33,9 @@ struct State {
   /// Called by every external change: contacts, forces and ledger are brought up to date before the next
   /// motion, and the change of energy counts as external work.
   void edit();
+  /// Other pairs may touch, or pairs have other laws or bonds: an edit after which the list of pairs is made
+  /// anew, as shear springs may be needed.
+  void change_pairs();
   /// A motion that has been predicted is not made.
   void drop_motion();
   /// The same in a share, where the world changes between prediction and motion: the next step predicts
@@ -69,8 +72,8 @@ struct State {
   double largest_overlap() const;
   double largest_speed() const;
 
-  /// What a step after an edit writes before it moves the blocks, except the pairs and derived data: it is
-  /// set back when memory runs out.
+  /// State that a step after an edit writes before it moves the blocks, except the pairs and derived data. It
+  /// is set back when memory runs out.
   auto written_before_motion() {
     return std::tuple_cat(contacts.state(), forces.state(), ledger.state(), clock.epoch(),
                           model.blocks.bonds().state(), model.blocks.meshes().state(), model.bolts.state(),
