@@ -43,9 +43,6 @@ template <class Four>
 [[gnu::always_inline]] inline Coordinates<Four> all_four(const Vector<3>& a) {
   return {all_four<Four>(a.x()), all_four<Four>(a.y()), all_four<Four>(a.z())};
 }
-template <class Number>
-[[gnu::always_inline]] inline Vector<3> reduce(const Coordinates<Number>& a) {
-  return {reduce(a.x), reduce(a.y), reduce(a.z)};
-}
+inline Vector<3> vector_of(const Coordinates<double>& a) { return {a.x, a.y, a.z}; }
 
 }  // namespace halfspace

@@ -123,7 +123,6 @@ inline void transpose(TwiceTwoLanes (&rows)[4]) {
   rows[3] = {seconds(a.high, b.high), seconds(c.high, d.high)};
 }
 
-inline double reduce(double a) { return a; }
 template <class Four>
 [[gnu::always_inline]] inline double reduce(const Four& a) {
   const TwoLanes two = low_half(a) + high_half(a);

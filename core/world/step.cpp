@@ -21,7 +21,6 @@ void World<D>::evaluate_forces_for_host(double elapsed) {
   stages_.evaluate_forces(elapsed);
   for (std::size_t i = 0; i < blocks.slot_count(); ++i)
     state_.ledger.add_contact_damping_loss(elapsed * state_.forces.dashpot_power(i));
-  state_.contacts.neighbors().tidy_plans();
   model_.fix_potential_length();
 }
 

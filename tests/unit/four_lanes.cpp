@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "catch.h"
-#include "force/potential/space/plan_lanes.h"
-#include "geometry/polyhedron/volume_sums.h"
 #include "narrow_phase/space/epa.h"
 #include "narrow_phase/space/support.h"
 #include "polyhedra.h"
@@ -40,16 +38,6 @@ template <class Four>
   return depths;
 }
 
-/// Sums over as many times four tetrahedra as the points have sets of twelve, from the origin.
-template <class Four>
-[[gnu::always_inline]] inline VolumeAndSpread spread_of(const Places<96>& points) {
-  SpreadSums<Four> sums;
-  for (int first = 0; first < 96; first += 12)
-    sums.add(points.four_from<Four>(first), points.four_from<Four>(first + 4),
-             points.four_from<Four>(first + 8));
-  return with_origin_at({1, 2, 3}, sums);
-}
-
 }  // namespace
 
 TEST_CASE("four lanes are compared, turned over and summed as their numbers are") {
@@ -73,43 +61,6 @@ TEST_CASE("four lanes are compared, turned over and summed as their numbers are"
     return reduce(p);
   });
   CHECK(reduce(load_four<TwiceTwoLanes>(b)) == 7.5);
-}
-
-TEST_CASE("three planes meet in their corner, and tetrahedra sum up to the same bits, whatever the lanes") {
-  Random random(3);
-  for (int round = 0; round < 100; ++round) {
-    Places<96> points;
-    for (int i = 0; i < 96; ++i) points.put(i, random_direction(random));
-    check_same_with_both([&]<class Four>() {
-      const VolumeAndSpread body = spread_of<Four>(points);
-      std::array<double, 13> numbers;
-      numbers[0] = body.volume;
-      std::copy_n(body.moment.data(), 3, numbers.begin() + 1);
-      std::copy_n(body.spread.data(), 9, numbers.begin() + 4);
-      return numbers;
-    });
-    check_same_with_both([&]<class Four>() {
-      const Coordinates<Four> corner = points.four_from<Four>(12);
-      LanesOfPlanes<Four> planes[3];
-      for (int k = 0; k < 3; ++k) {
-        const Coordinates<Four> normal = points.four_from<Four>(4 * k);
-        planes[k] = {normal, dot_product(normal, corner)};
-      }
-      const Coordinates<Four> met = meeting(planes[0], planes[1], planes[2]);
-      const Four span = dot_product(planes[0].normal, cross_product(planes[1].normal, planes[2].normal));
-      std::array<double, 12> found;
-      for (int i = 0; i < 4; ++i) {
-        const double reach = 1e-15 / std::abs(span[i]);
-        CHECK(std::abs(met.x[i] - corner.x[i]) <= reach);
-        CHECK(std::abs(met.y[i] - corner.y[i]) <= reach);
-        CHECK(std::abs(met.z[i] - corner.z[i]) <= reach);
-        found[std::size_t(3 * i)] = met.x[i];
-        found[std::size_t(3 * i + 1)] = met.y[i];
-        found[std::size_t(3 * i + 2)] = met.z[i];
-      }
-      return found;
-    });
-  }
 }
 
 TEST_CASE("the deepest vertex is the same whatever the lanes") {

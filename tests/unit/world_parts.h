@@ -108,7 +108,6 @@ struct WorldParts {
   /// Loads the blocks with the forces of the contacts found.
   ContactEnergy load_blocks(double elapsed = 0) {
     typename ForcePass<D>::Evaluation evaluation = forces.begin(elapsed);
-    evaluation.makes_plans = true;
     for (std::size_t c = 0; c < contacts.count(); ++c)
       forces.load(contacts.touching()[c], contacts.contact(c), evaluation);
     sums.last_block = evaluation.last_block;

@@ -736,7 +736,7 @@ module halfspace_c
     integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
     integer(c_int64_t) :: contact_count = 0  !< pairs in contact by laws with springs
     integer(c_int64_t) :: block_bytes = 0  !< snapshot size of all blocks with their shapes, bytes
-    integer(c_int64_t) :: pair_bytes = 0  !< snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+    integer(c_int64_t) :: pair_bytes = 0  !< snapshot size of all pairs: neighbour list and shear springs, bytes
     real(c_double) :: stable_time_step = 0.0_c_double  !< s, as in hs_world_report; 0 without blocks that move freely
     !> block of the largest stiffness per mass, which limits the step; 0: none moves freely
     integer(c_int64_t) :: limiting_block = 0

@@ -915,8 +915,7 @@ class hs_world_plan(_Struct):
         ("candidate_count", c_int64),  # pairs in the neighbour list
         ("contact_count", c_int64),  # pairs in contact by laws with springs
         ("block_bytes", c_int64),  # snapshot size of all blocks with their shapes, bytes
-        # snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
-        ("pair_bytes", c_int64),
+        ("pair_bytes", c_int64),  # snapshot size of all pairs: neighbour list and shear springs, bytes
         ("stable_time_step", c_double),  # s, as in hs_world_report; 0 without blocks that move freely
         # block of the largest stiffness per mass, which limits the step; 0: none moves freely
         ("limiting_block", hs_block),

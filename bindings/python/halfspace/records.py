@@ -817,7 +817,7 @@ class WorldPlan(Record):
     block_bytes : int
         snapshot size of all blocks with their shapes, bytes
     pair_bytes : int
-        snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+        snapshot size of all pairs: neighbour list and shear springs, bytes
     stable_time_step : float
         s, as in hs_world_report; 0 without blocks that move freely
     limiting_block : int

@@ -45,8 +45,7 @@ typedef struct hs_world_plan {
   int64_t candidate_count;    /**< pairs in the neighbour list */
   int64_t contact_count;      /**< pairs in contact by laws with springs */
   int64_t block_bytes;        /**< snapshot size of all blocks with their shapes, bytes */
-  int64_t pair_bytes;         /**< snapshot size of all pairs: neighbour list, shear springs, cached
-                                   divisions; bytes */
+  int64_t pair_bytes;         /**< snapshot size of all pairs: neighbour list and shear springs, bytes */
   double stable_time_step;    /**< s, as in hs_world_report; 0 without blocks that move freely */
   hs_block limiting_block;    /**< block of the largest stiffness per mass, which limits the step; 0: none
                                    moves freely */

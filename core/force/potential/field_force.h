@@ -10,8 +10,6 @@ namespace halfspace {
 /// When the owner moves, the depth changes by the motion of its face at the foot of the cell's centroid: the
 /// force on the owner acts there. When the other block moves, the cell moves with it, and its compression
 /// reduces the energy in it: its virial has an isotropic part.
-///
-/// A cached division is evaluated to the same sum, in lanes (`followed_plan.cpp`).
 template <int D>
 struct FieldForce {
   Vector<D> force = Vector<D>::Zero();          // on the other block

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "force/potential/space/cell_division.h"
-#include "force/potential/space/division_plan.h"
-#include "force/potential/space/division_record.h"
+#include "force/potential/space/near_faces.h"
 #include "geometry/outline.h"
-#include "geometry/polyhedron/division.h"
+#include "geometry/polyhedron/clipped.h"
 
 namespace halfspace {
 
@@ -60,42 +58,30 @@ template <>
 struct PotentialRoom<3> {
   explicit PotentialRoom(Memory* memory)
       : least_depth(memory),
-        near_a(memory),
-        near_b(memory),
+        near(memory),
         sounding_of_a(memory),
         sounding_of_b(memory),
-        vertices(memory),
         intersection(memory),
-        cells(memory),
-        record(memory),
-        plan(memory) {}
+        cell(memory) {}
 
-  /// Reserves for two blocks of up to `edges` edges. Grows later where more than 32 faces are near to the
-  /// overlap, or its parts have very many vertices. A block has at most 2/3 as many faces as edges.
+  /// Reserves for two blocks of up to `edges` edges. Grows later where the overlap has very many vertices. A
+  /// block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {
-    const std::size_t faces = edges, vertices_of_parts = 256 + 8 * edges;
+    const std::size_t faces = edges, most_vertices = 256 + 8 * edges;
     least_depth.resize(std::max(least_depth.size(), faces));
-    near_a.reserve(faces);
-    near_b.reserve(faces);
+    near.reserve(faces, most_vertices);
     sounding_of_a.reserve(edges);
     sounding_of_b.reserve(edges);
-    vertices.reserve(vertices_of_parts);
-    intersection.reserve(edges, vertices_of_parts);
-    cells.reserve(edges, vertices_of_parts, std::min<std::size_t>(faces, 32));
-    record.reserve(edges);
-    plan.reserve(most_plan_codes);
+    intersection.reserve(edges, most_vertices);
+    cell.reserve(edges, most_vertices);
   }
 
   Array<double> least_depth;  // lower bound, of the intersection behind each face
-  Array<NearFace> near_a;     // can be the nearest to some point of the intersection
-  Array<NearFace> near_b;
+  NearFaces near;             // of one block at a time
   VertexDepths sounding_of_a;
   VertexDepths sounding_of_b;
-  Array<DividedPolyhedron::Index> vertices;  // of the intersection
-  DividedPolyhedron intersection;
-  CellDivision cells;
-  DivisionRecord record;
-  Array<PlanCode> plan;
+  ClippedPolyhedron intersection;
+  ClippedPolyhedron cell;
 };
 
 /// The potential of a point inside a block is its distance to the nearest edge. The paper integrates the
@@ -109,8 +95,8 @@ struct PotentialRoom<3> {
 PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, const Vector<2>& to_b,
                                   PotentialRoom<2>& room);
 
-/// In 3D the cells are volumes. `record`, if given, receives their division.
+/// In 3D the cells are volumes.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room, DivisionRecord* record = nullptr);
+                                  PotentialRoom<3>& room);
 
 }  // namespace halfspace

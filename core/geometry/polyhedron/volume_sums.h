@@ -14,46 +14,36 @@ struct VolumeAndSpread : VolumeAndMoment {
   Tensor<3> spread = Tensor<3>::Zero();  // mean of r r^T about the centroid
 };
 
-/// Six times the volume of the tetrahedron of these points and the origin.
-template <class Number>
-[[gnu::always_inline]] inline Number sixfold_volume(const Coordinates<Number>& p,
-                                                    const Coordinates<Number>& q,
-                                                    const Coordinates<Number>& r) {
-  return dot_product(p, cross_product(q, r));
-}
-
-/// Sums over tetrahedra with one vertex at the origin; lanes add several at a time.
-template <class Number>
+/// Sums over tetrahedra with one vertex at the origin.
 struct VolumeSums {
-  Number volume{};               // six times
-  Coordinates<Number> moment{};  // 24 times
+  double volume{};               // six times
+  Coordinates<double> moment{};  // 24 times
 
   /// Adds a tetrahedron and returns six times its volume.
-  [[gnu::always_inline]] Number add(const Coordinates<Number>& p, const Coordinates<Number>& q,
-                                    const Coordinates<Number>& r) {
-    const Number sixfold = sixfold_volume(p, q, r);
+  [[gnu::always_inline]] double add(const Coordinates<double>& p, const Coordinates<double>& q,
+                                    const Coordinates<double>& r) {
+    const double sixfold = dot_product(p, cross_product(q, r));
     volume = volume + sixfold;
     moment = moment + sixfold * (p + q + r);
     return sixfold;
   }
 };
 
-template <class Number>
-struct SpreadSums : VolumeSums<Number> {
-  Coordinates<Number> squares{}, across{};  // 120 times xx, yy, zz; yz, zx, xy
+struct SpreadSums : VolumeSums {
+  Coordinates<double> squares{}, across{};  // 120 times xx, yy, zz; yz, zx, xy
 
-  [[gnu::always_inline]] void add(const Coordinates<Number>& p, const Coordinates<Number>& q,
-                                  const Coordinates<Number>& r) {
-    const Number sixfold = VolumeSums<Number>::add(p, q, r);
-    const Coordinates<Number> s = p + q + r;
-    const auto of_vertices = [&](Number Coordinates<Number>::*i, Number Coordinates<Number>::*k)
+  [[gnu::always_inline]] void add(const Coordinates<double>& p, const Coordinates<double>& q,
+                                  const Coordinates<double>& r) {
+    const double sixfold = VolumeSums::add(p, q, r);
+    const Coordinates<double> s = p + q + r;
+    const auto of_vertices = [&](double Coordinates<double>::*i, double Coordinates<double>::*k)
         __attribute__((always_inline)) {
       return p.*i * p.*k + q.*i * q.*k + r.*i * r.*k + s.*i * s.*k;
     };
-    constexpr auto x = &Coordinates<Number>::x, y = &Coordinates<Number>::y, z = &Coordinates<Number>::z;
+    constexpr auto x = &Coordinates<double>::x, y = &Coordinates<double>::y, z = &Coordinates<double>::z;
     squares =
-        squares + sixfold * Coordinates<Number>{of_vertices(x, x), of_vertices(y, y), of_vertices(z, z)};
-    across = across + sixfold * Coordinates<Number>{of_vertices(y, z), of_vertices(z, x), of_vertices(x, y)};
+        squares + sixfold * Coordinates<double>{of_vertices(x, x), of_vertices(y, y), of_vertices(z, z)};
+    across = across + sixfold * Coordinates<double>{of_vertices(y, z), of_vertices(z, x), of_vertices(x, y)};
   }
 };
 
@@ -65,18 +55,14 @@ inline Tensor<3> symmetric_tensor(const Vector<3>& squares, const Vector<3>& acr
   return tensor;
 }
 
-template <class Number>
-VolumeAndMoment with_origin_at(const Vector<3>& p, const VolumeSums<Number>& sums) {
-  const double volume = reduce(sums.volume) / 6;
-  return {volume, reduce(sums.moment) / 24 + volume * p};
+inline VolumeAndMoment with_origin_at(const Vector<3>& p, const VolumeSums& sums) {
+  const double volume = sums.volume / 6;
+  return {volume, vector_of(sums.moment) / 24 + volume * p};
 }
-template <class Number>
-VolumeAndSpread with_origin_at(const Vector<3>& p, const SpreadSums<Number>& sums) {
-  const double sixfold = reduce(sums.volume);
-  const Vector<3> centroid = reduce(sums.moment) / (4 * sixfold);
-  const Tensor<3> mean = symmetric_tensor(reduce(sums.squares), reduce(sums.across)) / (20 * sixfold);
-  return {with_origin_at<Number>(p, static_cast<const VolumeSums<Number>&>(sums)),
-          mean - centroid * centroid.transpose()};
+inline VolumeAndSpread with_origin_at(const Vector<3>& p, const SpreadSums& sums) {
+  const Vector<3> centroid = vector_of(sums.moment) / (4 * sums.volume);
+  const Tensor<3> mean = symmetric_tensor(vector_of(sums.squares), vector_of(sums.across)) / (20 * sums.volume);
+  return {with_origin_at(p, static_cast<const VolumeSums&>(sums)), mean - centroid * centroid.transpose()};
 }
 
 }  // namespace halfspace

@@ -24,8 +24,7 @@ constexpr std::size_t pairs_per_chunk = 256;
 struct PairSums {
   std::uint32_t contacts = 0;
   std::uint32_t met = 0;  // of these, not in contact before
-  std::uint32_t without_plan = 0;
-  double released = 0;  // energy of shear springs whose contact has ended
+  double released = 0;    // energy of shear springs whose contact has ended
   double peak_overlap = 0;
   double max_penetration_ratio = 0;
   ContactEnergy energy{};
@@ -43,7 +42,6 @@ class ContactList {
         touching_(memory),
         found_in_chunks_(memory),
         met_in_chunks_(memory),
-        without_plan_(memory),
         new_blocks_(memory) {}
 
   std::size_t count() const { return touching_.size(); }
@@ -90,16 +88,10 @@ class ContactList {
   void note_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     met_in_chunks_[first_of_chunk + sums.met++] = std::uint32_t(k);
   }
-  /// Records a pair whose force waits for a new division plan.
-  void note_without_plan(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
-    without_plan_[first_of_chunk + sums.without_plan++] = std::uint32_t(k);
-  }
-  std::span<const std::uint32_t> without_plan_in(std::size_t chunk, const PairSums& sums) const {
-    return part_of(without_plan_, chunk, sums.without_plan);
-  }
   /// The pairs of a chunk that have met, in ascending order.
   std::span<const std::uint32_t> met_in(std::size_t chunk, const PairSums& sums) const {
-    return part_of(met_in_chunks_, chunk, sums.met);
+    if (sums.met == 0) return {};  // the array may be empty
+    return {met_in_chunks_.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), sums.met};
   }
   /// True for a pair that was in contact at its last detection, or is bonded.
   static bool was_in_contact(const Candidate<D>& pair) {
@@ -150,7 +142,6 @@ class ContactList {
     refit(touching_, neighbors_.room());
     found_in_chunks_.resize(neighbors_.room());
     met_in_chunks_.resize(neighbors_.room());
-    without_plan_.resize(D == 3 && model_.materials.laws().knows_potential() ? neighbors_.room() : 0);
     neighbors_.reserve_index();
   }
 
@@ -192,12 +183,6 @@ class ContactList {
  private:
   /// Forgets the shear of a pair whose contact ends. Returns its energy.
   double release_shear(std::size_t k);
-  /// The first pairs of a chunk's range. Without any the array may be empty.
-  static std::span<const std::uint32_t> part_of(const Array<std::uint32_t>& in_chunks, std::size_t chunk,
-                                                std::size_t count) {
-    if (count == 0) return {};
-    return {in_chunks.begin() + std::ptrdiff_t(chunk * pairs_per_chunk), count};
-  }
   /// False for laws per area, and for potential laws in 3D, which compute contacts only at the first
   /// detection.
   bool is_always_described(const Candidate<D>& pair) const {
@@ -212,7 +197,6 @@ class ContactList {
   Array<std::uint32_t> touching_;         // the pair of each contact
   Array<std::uint32_t> found_in_chunks_;  // the same during detection; each chunk has the range of its pairs
   Array<std::uint32_t> met_in_chunks_;    // likewise, pairs that have met
-  Array<std::uint32_t> without_plan_;     // likewise, pairs with a potential law in 3D
   Array<std::uint8_t> new_blocks_;        // per block: 1 until its first step
   std::int32_t any_fresh_ = 0;
   double peak_overlap_ = 0;

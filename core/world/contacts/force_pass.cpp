@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "force/potential/space/planned_force.h"
 #include "force/spring/joint_face.h"
 #include "narrow_phase/pair.h"
 
@@ -31,7 +30,6 @@ void ForcePass<D>::fit_rooms() {
   }
   if (!laws.knows_potential()) return;
   for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.most_edges());
-  if constexpr (D == 3) neighbors_.reserve_plans();
 }
 
 template <int D>
@@ -97,38 +95,16 @@ PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& cont
   return load;
 }
 
-/// The force for k_n / H = 1. In 3D it uses a division plan, and only steps cache new plans. None if a plan
-/// has to be made, but must not now.
-template <int D>
-inline std::optional<PotentialForce<D>> ForcePass<D>::potential_between(Candidate<D>& pair,
-                                                                        const PlacedBlocks<D>& at,
-                                                                        const Evaluation& evaluation) {
-  PotentialRoom<D>& room = potential_rooms_[std::size_t(evaluation.worker)];
-  if constexpr (D == 3) {
-    if (pair.plan.knows()) {
-      if (const auto force = follow(std::as_const(neighbors_).plans()[pair.plan], at.a, at.b, at.to_b))
-        return force;
-    }
-    if (evaluation.elapsed > 0) {
-      if (!evaluation.makes_plans) return {};
-      return force_by_new_plan(at.a, at.b, at.to_b, pair.plan, neighbors_.plans(), room);
-    }
-  }
-  return potential_force(at.a, at.b, at.to_b, room);
-}
-
 /// The load of a contact by a potential law. Caches the centroid of the overlap, which the next detection
 /// tests first.
 template <int D>
-std::optional<PairLoad<D>> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& law,
-                                                        const Spring<D>& spring, ShearSpring<D>& shear,
-                                                        Evaluation& evaluation) {
+PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& law, const Spring<D>& spring,
+                                         ShearSpring<D>& shear, Evaluation& evaluation) {
   // A bond of another law ends: potential laws have no cohesion.
   if (evaluation.elapsed > 0) pair.bonded = false;
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  const std::optional<PotentialForce<D>> found = potential_between(pair, at, evaluation);
-  if (!found) return {};
-  const PotentialForce<D>& potential = *found;
+  const PotentialForce<D> potential =
+      potential_force(at.a, at.b, at.to_b, potential_rooms_[std::size_t(evaluation.worker)]);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
   const LineOfAction<D> line = line_of_action(potential, stiffness, at.to_b);
   if (line.energy > 0) remember_point(potential.centroid, pair.witness);
@@ -139,7 +115,7 @@ std::optional<PairLoad<D>> ForcePass<D>::potential_load(Candidate<D>& pair, cons
 
 /// Potential laws do not use `contact`, nor do laws per area but for a bond.
 template <int D>
-bool ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
+void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];
   const ContactLaw& law = model_.law_of(pair);
   evaluation.last_block = std::max(evaluation.last_block, pair.b);
@@ -148,18 +124,11 @@ bool ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   const Spring<D> spring(law, reduced_mass, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
-  PairLoad<D> load;
-  if (law.is_potential()) {
-    const std::optional<PairLoad<D>> found = potential_load(pair, law, spring, shear, evaluation);
-    if (!found) return false;
-    load = *found;
-  } else {
-    load = spring_load(pair, contact, law, spring, shear, evaluation);
-  }
+  const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
+                                              : spring_load(pair, contact, law, spring, shear, evaluation);
   forces_[k] = load.contact;
   if (!dashpots_.empty()) dashpots_[k] = is_damped ? load.viscous : DashpotForce<D>::none();
   if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);
-  return true;
 }
 
 /// Virials of the deformable blocks of a pair.

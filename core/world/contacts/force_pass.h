@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "force/potential/potential_force.h"
@@ -48,7 +47,6 @@ class ForcePass {
     double elapsed;
     double potential_length;
     int worker = 0;
-    bool makes_plans = false;  // only one thread at a time
     ContactEnergy energy{};
     std::int32_t last_block = -1;
     double peak_overlap = 0;  // of pressures
@@ -59,9 +57,8 @@ class ForcePass {
 
   /// `elapsed`: time over which shear springs grow, s. If it is not 0, velocities are those of its middle.
   Evaluation begin(double elapsed) const;
-  /// Computes the load of a pair's contact on its two blocks. False if that needs a new division plan, which
-  /// steps make afterwards, in order: all pairs share the memory of plans.
-  bool load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
+  /// Computes the load of a pair's contact on its two blocks.
+  void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   /// Sums the loads of all contacts per block. `chunks`: those whose pairs have been loaded.
   void gather(std::span<const PairSums> chunks);
   /// Adds another load to those of a block's contacts, after gather(). `virial`: force times arm^T.
@@ -135,11 +132,8 @@ class ForcePass {
   [[gnu::always_inline]] inline PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact,
                                                         const ContactLaw& law, const Spring<D>& spring,
                                                         ShearSpring<D>& shear, Evaluation& evaluation);
-  std::optional<PotentialForce<D>> potential_between(Candidate<D>& pair, const PlacedBlocks<D>& at,
-                                                     const Evaluation& evaluation);
-  std::optional<PairLoad<D>> potential_load(Candidate<D>& pair, const ContactLaw& law,
-                                            const Spring<D>& spring, ShearSpring<D>& shear,
-                                            Evaluation& evaluation);
+  PairLoad<D> potential_load(Candidate<D>& pair, const ContactLaw& law, const Spring<D>& spring,
+                             ShearSpring<D>& shear, Evaluation& evaluation);
   Virials virials_of(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
                      Evaluation& evaluation) const;
   void gather_row(std::size_t first_block, std::size_t last_block, std::span<const PairSums> chunks);

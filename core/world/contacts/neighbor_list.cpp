@@ -11,14 +11,6 @@
 namespace halfspace {
 namespace {
 
-bool knows_its_plan(const Candidate<2>&, const CachedDivisions&, const Outline<2>&, const Outline<2>&) {
-  return true;
-}
-bool knows_its_plan(const Candidate<3>& pair, const CachedDivisions& plans, const Outline<3>& a,
-                    const Outline<3>& b) {
-  return !pair.plan.knows() || is_plan(plans[pair.plan], a, b);
-}
-
 /// Blocks or pairs that a worker processes at a time.
 constexpr std::size_t things_per_chunk = 256;
 
@@ -37,7 +29,6 @@ NeighborList<D>::NeighborList(Threads* threads, Memory* memory)
     : threads_(threads),
       pairs_(memory),
       shear_(memory),
-      plans_(memory),
       reference_position_(memory),
       reference_rotation_(memory),
       reference_gradient_(memory),
@@ -360,9 +351,6 @@ bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
     return false;
   if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;
   if (!shear_.empty() && shear_.size() != pairs_.size()) return false;
-  if constexpr (D == 3) {
-    if (!plans_.are_of(pairs_)) return false;
-  }
   if (!reference_gradient_.empty() && reference_gradient_.size() > slots) return false;
   const auto lives = [&](std::int32_t slot) {
     return slot >= 0 && std::size_t(slot) < slots && blocks.lives(std::size_t(slot));
@@ -376,7 +364,6 @@ bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
     const PairCache<D>& witness = pair.witness;
     constexpr auto last = D == 2 ? PairCache<D>::touching : PairCache<D>::overlapping;
     if (witness.state < PairCache<D>::unknown || witness.state > last) return false;
-    if (!knows_its_plan(pair, plans_, blocks.outline(pair.a), blocks.outline(pair.b))) return false;
     const bool separated = witness.state == PairCache<D>::separated;
     return (separated || has_a_plane(witness.pair)) &&
            names_features(witness.pair, blocks.outline(pair.a), blocks.outline(pair.b));

@@ -8,14 +8,13 @@
 
 #include "block/blocks.h"
 #include "broad_phase/grid.h"
-#include "force/potential/space/division_plans.h"
 #include "force/spring/shear_spring.h"
 #include "narrow_phase/contact.h"
 #include "threads/threads.h"
 
 namespace halfspace {
 
-struct NoPlan {};
+struct NoPadding {};
 
 /// A pair of blocks that may touch soon, a < b, and its cached data. Without implicit padding, so that
 /// snapshots contain no undefined bytes.
@@ -25,9 +24,8 @@ struct Candidate {
   std::int32_t b;
   PairCache<D> witness;
   std::int32_t bonded = 0;
-  [[no_unique_address]] std::conditional_t<D == 2, NoPlan, DivisionCache> plan;
+  [[no_unique_address]] std::conditional_t<D == 2, NoPadding, std::int32_t> reserved{};
 };
-static_assert(std::has_unique_object_representations_v<DivisionCache>);
 
 /// How far blocks may move before the list is renewed.
 struct SkinRule {
@@ -147,19 +145,6 @@ class NeighborList {
   const Array<Candidate<D>>& pairs() const { return pairs_; }
   /// One per pair; empty when no law resists shear.
   std::span<ShearSpring<D>> shear() { return shear_; }
-  /// Division plans of pairs with potential laws, in 3D.
-  const CachedDivisions& plans() const { return plans_; }
-  CachedDivisions& plans() {
-    plans_.serve_pairs(pairs_.size());
-    return plans_;
-  }
-  /// Reserves memory for the plans of all pairs, including those of the next list; snapshots do not contain
-  /// it.
-  void reserve_plans() { plans_.reserve(room()); }
-  /// Frees the memory of unused plans, when it exceeds that of used plans.
-  void tidy_plans() noexcept {
-    if constexpr (D == 3) plans_.tidy(pairs_);
-  }
   /// Capacity of arrays per contact: all pairs, and a reserve, so that the changing pairs of a settled heap
   /// cause no allocation.
   std::size_t room() const { return std::max(pairs_.capacity(), next_pairs_.capacity()); }
@@ -173,8 +158,8 @@ class NeighborList {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, plans_, reference_position_, reference_rotation_, reference_gradient_, skin_,
-            planned_, safe_displacement_, needs_rebuild_, builds_);
+    archive(pairs_, shear_, reference_position_, reference_rotation_, reference_gradient_, skin_, planned_,
+            safe_displacement_, needs_rebuild_, builds_);
   }
 
  private:
@@ -202,7 +187,6 @@ class NeighborList {
   Threads* threads_;
   Array<Candidate<D>> pairs_;
   Array<ShearSpring<D>> shear_;
-  CachedDivisions plans_;
   Array<Vector<D>> reference_position_;
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any

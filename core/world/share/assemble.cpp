@@ -22,13 +22,8 @@ Peaks peaks_of(const State<D>& state) {
 
 template <int D>
 bool BlockRecord<D>::is_complete() const {
-  std::size_t codes = 0;
-  for (const PairRecord<D>& pair : pairs) {
-    if (pair.plan_length < 0) return false;
-    codes += std::size_t(pair.plan_length);
-  }
   const auto follows = [](const PairRecord<D>& p, const PairRecord<D>& q) { return p.partner >= q.partner; };
-  return codes == plans.size() && std::adjacent_find(pairs.begin(), pairs.end(), follows) == pairs.end() &&
+  return std::adjacent_find(pairs.begin(), pairs.end(), follows) == pairs.end() &&
          state.kind >= BlockKind::fixed && state.kind <= BlockKind::affine &&
          (!has_outline || outline.is_complete());
 }
@@ -48,7 +43,6 @@ void write_record(State<D>& from, std::size_t slot, bool with_outline, BlockReco
   out.peaks = peaks_of(from);
   if (with_outline) blocks.copy_outline(std::int32_t(slot), out.outline);
   out.pairs.clear();
-  out.plans.clear();
   if (slot >= neighbors.list_length() || !blocks.moves_freely(slot)) return;
   neighbors.index_pairs();
   neighbors.for_each_pair_of(std::int32_t(slot), [&](std::size_t k) {
@@ -60,13 +54,6 @@ void write_record(State<D>& from, std::size_t slot, bool with_outline, BlockReco
     memory.is_in_contact = from.contacts.is_in_contact(k);
     if (!neighbors.shear().empty()) memory.shear = neighbors.shear()[k];
     if (memory.is_in_contact && from.forces.are_known()) memory.force = from.forces.of_pair(k);
-    if constexpr (D == 3) {
-      if (pair.plan.knows()) {
-        const std::span<const PlanCode> plan = neighbors.plans()[pair.plan];
-        memory.plan_length = std::int32_t(plan.size());
-        out.plans.insert(out.plans.end(), plan.begin(), plan.end());
-      }
-    }
     out.pairs.push_back(memory);
   });
 }
@@ -184,18 +171,15 @@ AssemblyFault Assembly<D>::take_blocks(std::span<const PackedBlock> blocks) {
     to_.integrator.set_rates(i, {record.acceleration, record.momentum_rate});
     if (is_listed) neighbors.add_entry(record.entry, with_gradients);
     to_.contacts.add_new_mark(record.is_new);
-    std::size_t first_code = pairs_.codes.size();
-    pairs_.codes.insert(pairs_.codes.end(), record.plans.begin(), record.plans.end());
     for (const PairRecord<D>& pair : record.pairs) {
       const std::int32_t partner = slot_of(pair.partner);
       if (partner < 0) {
         ++pairs_.missing[i];
       } else if (partner > self) {
-        pairs_.add({self, partner, pair, first_code});
+        pairs_.add({self, partner, pair});
       } else if (blocks[std::size_t(partner)].role == ShareRole::everywhere) {
-        pairs_.add_late({partner, self, pair, first_code});
+        pairs_.add_late({partner, self, pair});
       }
-      first_code += std::size_t(pair.plan_length);
     }
   }
   to_.model.blocks.end_taking_over();
@@ -227,7 +211,7 @@ void Assembly<D>::take_actions() {
   if (!to_.model.actions.empty()) to_.model.actions.renew(to_.model.blocks);
 }
 
-/// Contacts, their forces and division plans.
+/// Contacts and their forces.
 template <int D>
 void Assembly<D>::take_contacts() {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -235,14 +219,7 @@ void Assembly<D>::take_contacts() {
   }
   to_.contacts.end_taking_over(from_.contacts);
   stages_.fit_rooms();
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    to_.forces.set_force(k, pairs_[k].memory.force);
-    if constexpr (D == 3) {
-      NeighborList<D>& neighbors = to_.contacts.neighbors();
-      const std::span<const PlanCode> plan = pairs_.plan_of(pairs_[k]);
-      if (!plan.empty()) neighbors.plans().add(plan, neighbors.pairs()[k].plan);
-    }
-  }
+  for (std::size_t k = 0; k < pairs_.size(); ++k) to_.forces.set_force(k, pairs_[k].memory.force);
   to_.forces.end_taking_over(from_.forces);
 }
 

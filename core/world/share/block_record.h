@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "block/block_state.h"
-#include "force/potential/space/division_plan.h"
 #include "force/spring/spring.h"
 #include "narrow_phase/contact.h"
 #include "world/contacts/neighbor_list.h"
@@ -20,14 +19,13 @@ struct PairRecord {
   PairCache<D> witness;
   std::int32_t bonded = 0;
   std::int32_t is_in_contact = 0;
-  std::int32_t plan_length = 0;                // of the division plan, if any
-  std::int32_t reserved[D == 2 ? 3 : 1] = {};  // explicit padding, so that all bytes are defined
+  std::int32_t reserved[D == 2 ? 4 : 2] = {};  // explicit padding, so that all bytes are defined
   ShearSpring<D> shear;
   ContactForce<D> force;
 };
 template <int D>
 constexpr std::size_t size_of_pair_members = sizeof(std::int64_t) + sizeof(PairCache<D>) +
-                                             3 * sizeof(std::int32_t) + sizeof(PairRecord<D>::reserved) +
+                                             2 * sizeof(std::int32_t) + sizeof(PairRecord<D>::reserved) +
                                              sizeof(ShearSpring<D>) + sizeof(ContactForce<D>);
 static_assert(sizeof(PairRecord<2>) == size_of_pair_members<2> &&
               sizeof(PairRecord<3>) == size_of_pair_members<3>);
@@ -42,7 +40,7 @@ struct Peaks {
 /// A block and all that a world keeps of it, in the machine's format of numbers.
 template <int D>
 struct BlockRecord {
-  explicit BlockRecord(Memory* memory) : outline(memory), pairs(memory), plans(memory) {}
+  explicit BlockRecord(Memory* memory) : outline(memory), pairs(memory) {}
 
   std::int64_t key = 0;
   std::int64_t step = 0;     // of the world that it comes from
@@ -56,15 +54,13 @@ struct BlockRecord {
   OutlineCopy<D> outline;
   Peaks peaks;  // of the world that it comes from, so that the whole world has those of all shares
   Array<PairRecord<D>> pairs;  // in ascending order of partners
-  Array<PlanCode> plans;       // of the pairs, one after the other
 
   /// False for a record that was damaged on its way, as far as lengths tell.
   bool is_complete() const;
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(key, step, version, has_outline, is_new, state, acceleration, momentum_rate, entry, peaks, pairs,
-            plans);
+    archive(key, step, version, has_outline, is_new, state, acceleration, momentum_rate, entry, peaks, pairs);
     if (has_outline) archive(outline);
   }
 };
@@ -76,11 +72,10 @@ struct CarriedPairs {
     std::int32_t a;
     std::int32_t b;
     PairRecord<D> memory;
-    std::size_t first_code;  // of its division plan, in `codes`
   };
 
   CarriedPairs(std::size_t blocks, Memory* memory)
-      : codes(memory), missing(blocks, 0, memory), all_(memory), order_(memory), late_(memory) {}
+      : missing(blocks, 0, memory), all_(memory), order_(memory), late_(memory) {}
 
   void reserve(std::size_t count) {
     all_.reserve(count);
@@ -110,11 +105,7 @@ struct CarriedPairs {
   std::size_t size() const { return order_.size(); }
   /// In ascending order of a, then b.
   const Pair& operator[](std::size_t k) const { return all_[order_[k]]; }
-  std::span<const PlanCode> plan_of(const Pair& pair) const {
-    return {codes.data() + pair.first_code, std::size_t(pair.memory.plan_length)};
-  }
 
-  Array<PlanCode> codes;
   Array<std::int32_t> missing;  // per block, the number of its pairs with blocks that are not here
 
  private:

@@ -140,20 +140,19 @@ void ContactStage<D>::find() {
 
 /// Computes the load of a pair. In a share, its energy may count elsewhere, and it may load copies only.
 template <int D>
-[[gnu::always_inline]] inline bool ContactStage<D>::load_pair(std::size_t k, const Contact<D>& contact,
+[[gnu::always_inline]] inline void ContactStage<D>::load_pair(std::size_t k, const Contact<D>& contact,
                                                               Evaluation& evaluation) {
   if (state_.share.is_whole()) return state_.forces.load(k, contact, evaluation);
   const ContactEnergy energy = evaluation.energy;
   const std::int32_t last_block = evaluation.last_block;
   const double peak_overlap = evaluation.peak_overlap;
-  const bool is_loaded = state_.forces.load(k, contact, evaluation);
+  state_.forces.load(k, contact, evaluation);
   const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
   if (!state_.share.counts(pair)) evaluation.energy = energy;
   if (!state_.share.loads(pair)) {
     evaluation.last_block = last_block;
     evaluation.peak_overlap = peak_overlap;
   }
-  return is_loaded;
 }
 
 /// Loads the contacts of a chunk of pairs, which are found in the same pass unless they are known.
@@ -161,9 +160,7 @@ template <int D>
 void ContactStage<D>::load_found(const Chunk& chunk, double made, bool are_found, PairSums& sums,
                                  Evaluation evaluation) {
   evaluation.worker = chunk.worker;
-  const auto load = [&](std::size_t k, const Contact<D>& contact) {
-    if (!load_pair(k, contact, evaluation)) state_.contacts.note_without_plan(k, chunk.begin, sums);
-  };
+  const auto load = [&](std::size_t k, const Contact<D>& contact) { load_pair(k, contact, evaluation); };
   if (are_found) {
     Contact<D> contact;
     for (const std::uint32_t k : state_.contacts.touching_in(chunk.index)) {
@@ -187,20 +184,13 @@ void ContactStage<D>::load(double elapsed, double made) {
   const Evaluation common = state_.forces.begin(elapsed);
   pass_over_pairs(
       [&](const Chunk& chunk, PairSums& sums) { load_found(chunk, made, are_found, sums, common); });
-  // In order, as new division plans share their memory.
-  const auto load_in_order = [&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
+  if (are_found) return;
+  take_in_met(made, [&](std::size_t k, const Contact<D>& contact, PairSums& sums) {
     Evaluation evaluation = common;
-    evaluation.makes_plans = true;
     load_pair(k, contact, evaluation);
     sums.energy.add(evaluation.energy);
     sums.last_block = std::max(sums.last_block, evaluation.last_block);
-  };
-  for (std::size_t chunk = 0; chunk < sums_.size(); ++chunk) {
-    for (const std::uint32_t k : state_.contacts.without_plan_in(chunk, sums_[chunk]))
-      load_in_order(k, {}, sums_[chunk]);
-  }
-  if (are_found) return;
-  take_in_met(made, load_in_order);
+  });
   end_finding();
 }
 

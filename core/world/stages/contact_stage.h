@@ -43,7 +43,7 @@ class ContactStage {
   template <class OnContact>
   void take_in_met(double made, OnContact on_contact);
   void end_finding();
-  bool load_pair(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
+  void load_pair(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   void load_found(const Chunk& chunk, double made, bool are_found, PairSums& sums, Evaluation evaluation);
   void load_sleeping();
 

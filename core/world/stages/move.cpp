@@ -45,7 +45,6 @@ template <int D>
 Outcome Stages<D>::book(Motion& motion) {
   state_.note_speeds(motion.sample);
   state_.ledger.book(motion.sample, motion.duration);
-  state_.contacts.neighbors().tidy_plans();
   return Outcome::done;
 }
 

@@ -1263,7 +1263,7 @@ pub struct hs_world_plan {
     pub contact_count: i64,
     /// snapshot size of all blocks with their shapes, bytes
     pub block_bytes: i64,
-    /// snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+    /// snapshot size of all pairs: neighbour list and shear springs, bytes
     pub pair_bytes: i64,
     /// s, as in hs_world_report; 0 without blocks that move freely
     pub stable_time_step: f64,

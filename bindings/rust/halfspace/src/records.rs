@@ -751,7 +751,7 @@ pub struct Plan {
     pub contact_count: usize,
     /// snapshot size of all blocks with their shapes, bytes
     pub block_bytes: usize,
-    /// snapshot size of all pairs: neighbour list, shear springs, cached divisions; bytes
+    /// snapshot size of all pairs: neighbour list and shear springs, bytes
     pub pair_bytes: usize,
     /// s, as in hs_world_report; 0 without blocks that move freely
     pub stable_time_step: f64,

@@ -5,6 +5,7 @@
 
 #include "force/potential/field_force.h"
 #include "force/potential/space/placed_block.h"
+#include "geometry/tolerances.h"
 #include "simd/two_lanes.h"
 
 namespace halfspace {
@@ -26,14 +27,14 @@ int face_nearest_to(const Outline<3>& block, const Vector<3>& p) {
   return std::min(int(least[1] < least[0] ? nearest[1] : nearest[0]), block.face_count() - 1);
 }
 
-/// Bounds of a part, for fast tests against a plane.
+/// Bounds of a polyhedron, for fast tests against a plane.
 struct Bounds {
   Bounds() = default;
-  Bounds(const DividedPolyhedron& parts, DividedPolyhedron::Part part) {
-    Vector<3> lower = parts.position(part[0]), upper = lower;
-    for (const DividedPolyhedron::Index v : part) {
-      lower = lower.cwiseMin(parts.position(v));
-      upper = upper.cwiseMax(parts.position(v));
+  explicit Bounds(const ClippedPolyhedron& body) {
+    Vector<3> lower = body.position(body.vertices()[0]), upper = lower;
+    for (const ClippedPolyhedron::Index v : body.vertices()) {
+      lower = lower.cwiseMin(body.position(v));
+      upper = upper.cwiseMax(body.position(v));
     }
     center = 0.5 * (lower + upper);
     half_size = upper - center;
@@ -49,69 +50,75 @@ struct Bounds {
 class Intersection {
  public:
   Intersection(const PlacedBlock& whole, const PlacedBlock& cutter, PotentialRoom<3>& room)
-      : whole_(whole), cutter_(cutter), room_(room) {}
+      : whole_(whole), cutter_(cutter), room_(room), near_(room.near) {}
 
   /// `first` is the cutter's first face, with the depths of the whole behind it. False when there is no
   /// overlap.
   bool find(int first, const VertexDepths& sounding) {
-    room_.intersection.begin(whole_.outline, sounding, plane_of_cutter(first));
-    take_inside();
-    find_least_depths(cutter_, Bounds(room_.intersection, room_.vertices));
+    room_.intersection.begin(whole_.outline, sounding);
+    find_least_depths(cutter_, Bounds(room_.intersection));
     for (int f = 0; f < cutter_.outline.face_count(); ++f) {
-      if (f != first && room_.least_depth[std::size_t(f)] < 0 && !cut(f)) return false;
+      if (f != first && room_.least_depth[std::size_t(f)] < 0 && !cut(room_.intersection, cutter_.plane(f)))
+        return false;
     }
-    content_ = room_.intersection.measure(room_.vertices);
-    bounds_ = Bounds(room_.intersection, room_.vertices);
+    content_ = room_.intersection.measure_with_spread();
+    bounds_ = Bounds(room_.intersection);
+    near_.begin(room_.intersection);
     return content_.volume > 0;
   }
 
   const VolumeAndSpread& content() const { return content_; }
 
-  /// By its bounds, no point of the intersection is deeper in the owner than this. A face behind which all of
-  /// it is deeper is never the nearest.
-  void find_near_faces(const PlacedBlock& owner, Array<NearFace>& near) {
+  /// The sum over the cells of an owner's near faces. Cells are small but for that of the first, which has
+  /// the rest.
+  FieldForce<3> force_by(const PlacedBlock& owner) {
     const double reach = find_least_depths(owner, bounds_);
-    near.clear();
-    for (int f = 0; f < owner.outline.face_count(); ++f) {
-      const double least = room_.least_depth[std::size_t(f)];
-      if (least <= reach) near.push_back({f, owner.plane(f), {least, reach}, {}});
-    }
-  }
-
-  void put_down(DivisionRecord& record) const { record.add_corners(room_.intersection, room_.vertices); }
-
-  FieldForce<3> force_by(Array<NearFace>& near, DivisionRecord* record) {
-    const int block_faces = whole_.outline.face_count() + cutter_.outline.face_count();
-    room_.cells.divide(room_.intersection, room_.vertices, content_, bounds_.largest_coordinate(),
-                       DividedPolyhedron::Index(block_faces), near, record);
+    near_.find(owner, room_.least_depth.data(), reach);
     FieldForce<3> sum;
-    for (const NearFace& face : near) {
-      const auto& [normal, offset] = face.plane;
-      const auto& [volume, moment] = face.cell;
-      if (volume != 0) sum.add_cell(volume, moment, offset * volume - normal.dot(moment), normal);
+    if (near_.count() == 0) return sum;  // depths are NaN
+    const double rounding = rounding_of_depths();
+    VolumeAndMoment rest = content_;
+    for (std::size_t k = 1; k < near_.count(); ++k) {
+      const VolumeAndMoment cell = cell_of(k, rounding);
+      rest.volume -= cell.volume;
+      rest.moment -= cell.moment;
+      add(near_[k], cell, sum);
     }
+    add(near_[0], rest, sum);
     return sum;
   }
 
  private:
-  DividedPolyhedron::Index plane_of_cutter(int face) const {
-    return DividedPolyhedron::Index(whole_.outline.face_count() + face);
+  /// Cuts a body by a plane unless all of it is behind. False where nothing is.
+  static bool cut(ClippedPolyhedron& body, const Halfspace<3>& plane) {
+    const DepthRange depths = body.sound(plane);
+    if (depths.least < 0 && depths.most > 0) body.cut();
+    return depths.most > 0;
   }
 
-  void take_inside() {
-    const DividedPolyhedron::Part inside = room_.intersection.inside();
-    room_.vertices.assign(inside.begin(), inside.end());
+  static void add(const Halfspace<3>& face, const VolumeAndMoment& cell, FieldForce<3>& sum) {
+    const double energy = face.offset * cell.volume - face.normal.dot(cell.moment);
+    if (cell.volume != 0) sum.add_cell(cell.volume, cell.moment, energy, face.normal);
   }
 
-  bool cut(int face) {
-    const DepthRange depths = room_.intersection.sound(room_.vertices, cutter_.plane(face));
-    if (depths.most <= 0) return false;
-    if (depths.least < 0) {
-      room_.intersection.cut_edges(room_.vertices);
-      room_.intersection.close_inside(plane_of_cutter(face));
-      take_inside();
+  double rounding_of_depths() const {
+    double largest = bounds_.largest_coordinate();
+    for (std::size_t k = 0; k < near_.count(); ++k) largest = std::max(largest, std::abs(near_[k].offset));
+    return place_rounding * largest;
+  }
+
+  /// The part of the intersection where a face is the nearest: behind the planes as near to it as to another.
+  /// Where two are equally near, to rounding, the first of them has the cell.
+  VolumeAndMoment cell_of(std::size_t k, double rounding) {
+    room_.cell.begin(room_.intersection);
+    for (std::size_t other = 0; other < near_.count(); ++other) {
+      if (other == k) continue;
+      const double lead = other < k ? -rounding : rounding;
+      const Halfspace<3> as_near{near_[other].normal - near_[k].normal,
+                                 near_[other].offset - near_[k].offset + lead};
+      if (!cut(room_.cell, as_near)) return {};
     }
-    return true;
+    return room_.cell.measure();
   }
 
   /// Computes lower bounds of the intersection's depth behind each face, by its bounds. Returns an upper
@@ -137,6 +144,7 @@ class Intersection {
   const PlacedBlock& whole_;
   const PlacedBlock& cutter_;
   PotentialRoom<3>& room_;
+  NearFaces& near_;
   VolumeAndSpread content_;
   Bounds bounds_;
 };
@@ -145,7 +153,7 @@ class Intersection {
 
 /// Cuts the block that the other penetrates less: this leaves less to cut.
 PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,
-                                  PotentialRoom<3>& room, DivisionRecord* record) {
+                                  PotentialRoom<3>& room) {
   const int of_a = face_nearest_to(a, to_b), of_b = face_nearest_to(b, -to_b);
   const double into_a = room.sounding_of_b.take(b, PlacedBlock{a, -to_b}.plane(of_a)).most;
   if (into_a <= 0) return {};
@@ -157,16 +165,8 @@ PotentialForce<3> potential_force(const Outline<3>& a, const Outline<3>& b, cons
   Intersection intersection(cuts_b ? placed_b : placed_a, cuts_b ? placed_a : placed_b, room);
   if (!intersection.find(cuts_b ? of_a : of_b, cuts_b ? room.sounding_of_b : room.sounding_of_a)) return {};
   const VolumeAndSpread& content = intersection.content();
-  intersection.find_near_faces(placed_a, room.near_a);
-  intersection.find_near_faces(placed_b, room.near_b);
-  if (record) {
-    record->begin(placed_a, placed_b, cuts_b ? 1 : 0, room.near_a, room.near_b);
-    intersection.put_down(*record);
-    record->divide_by(0);
-  }
-  const FieldForce<3> by_a = intersection.force_by(room.near_a, record);
-  if (record) record->divide_by(1);
-  const FieldForce<3> by_b = intersection.force_by(room.near_b, record);
+  const FieldForce<3> by_a = intersection.force_by(placed_a);
+  const FieldForce<3> by_b = intersection.force_by(placed_b);
   PotentialForce<3> sum = sum_of<3>(by_a, by_b, placed_a.at, placed_b.at,
                                     content.moment / content.volume - placed_a.at, content.volume);
   sum.spread = content.spread;

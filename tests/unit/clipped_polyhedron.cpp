@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "contacts_3d.h"
+#include "geometry/polyhedron/clipped.h"
 #include "geometry/polyhedron/cut.h"
-#include "geometry/polyhedron/division.h"
 
 using namespace halfspace;
 using namespace halfspace::test;
@@ -19,16 +19,11 @@ void check_content(const VolumeAndMoment& found, const Polyhedron& expected) {
 /// Behind a plane through a point.
 Halfspace<3> plane_at(const Vector<3>& point, const Vector<3>& normal) { return {normal, normal.dot(point)}; }
 
-/// The number of a new face: the block's own come before it.
-DividedPolyhedron::Index first_number(const Shape<3>& block) {
-  return DividedPolyhedron::Index(block.outline().face_count());
-}
-
 }  // namespace
 
-TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") {
+TEST_CASE("a clipped polyhedron is the part that cutting it leaves") {
   Random random(91);
-  int divided_twice = 0;
+  int clipped_twice = 0;
   for (int round = 0; round < 300; ++round) {
     const Shape<3> block = random_block(random, random.integer(4, 40));
     Polyhedron whole = polyhedron_of(block, memory);
@@ -39,29 +34,27 @@ TEST_CASE("the parts of a divided polyhedron are those that cutting it leaves") 
     VertexDepths sounding(memory);
     const DepthRange height = sounding.take(block.outline(), plane_at(point, normal));
     if (height.least > -0.01 || height.most < 0.01) continue;
-    DividedPolyhedron divided(memory);
-    divided.begin(block.outline(), sounding, first_number(block));
-    Array<DividedPolyhedron::Index> part(divided.inside().begin(), divided.inside().end());
-    const VolumeAndMoment content = divided.measure(part);
-    check_content(content, first);
+    ClippedPolyhedron clipped(memory), ahead(memory);
+    clipped.begin(block.outline(), sounding);
+    check_content(clipped.measure(), first);
+    check_content(clipped.measure_with_spread(), first);
+    ahead.begin(clipped);
 
     const Vector<3> next_point = random_vector(random, -0.2, 0.2), next_normal = random_direction(random);
-    const DepthRange depths = divided.sound(part, plane_at(next_point, next_normal));
+    const DepthRange depths = clipped.sound(plane_at(next_point, next_normal));
     if (depths.least > -0.01 || depths.most < 0.01) continue;
-    ++divided_twice;
+    ++clipped_twice;
     const PolyhedronParts parts = cut_polyhedron(first, next_point, next_normal, memory);
-    divided.cut_edges(part);
-    check_content(divided.measure_inside(), parts.behind);
-    divided.close_both(first_number(block) + 1);
-    const Array<DividedPolyhedron::Index> inside(divided.inside().begin(), divided.inside().end()),
-        outside(divided.outside().begin(), divided.outside().end());
-    check_content(divided.measure(inside), parts.behind);
-    check_content(divided.measure(outside), parts.ahead);
+    clipped.cut();
+    check_content(clipped.measure(), parts.behind);
+    ahead.sound(plane_at(next_point, -next_normal));
+    ahead.cut();
+    check_content(ahead.measure(), parts.ahead);
   }
-  CHECK(divided_twice > 200);
+  CHECK(clipped_twice > 200);
 }
 
-TEST_CASE("a divided polyhedron loses nothing where planes pass through its vertices, edges and faces") {
+TEST_CASE("a clipped polyhedron loses nothing where planes pass through its vertices, edges and faces") {
   const Shape<3> cube = shape_of(completed(box({2, 2, 2})));
   Random random(92);
   for (int round = 0; round < 300; ++round) {
@@ -75,22 +68,22 @@ TEST_CASE("a divided polyhedron loses nothing where planes pass through its vert
     VertexDepths sounding(memory);
     const Halfspace<3> first = draw_plane();
     if (sounding.take(cube.outline(), first).most <= 0) continue;
-    DividedPolyhedron divided(memory);
-    divided.begin(cube.outline(), sounding, first_number(cube));
-    Array<DividedPolyhedron::Index> part(divided.inside().begin(), divided.inside().end());
+    ClippedPolyhedron part(memory), behind(memory), ahead(memory);
+    part.begin(cube.outline(), sounding);
     for (int cut = 0; cut < 4; ++cut) {
-      const VolumeAndMoment content = divided.measure(part);
-      divided.sound(part, draw_plane());
-      divided.cut_edges(part);
-      const VolumeAndMoment inside = divided.measure_inside();
-      divided.close_both(first_number(cube) + 1 + DividedPolyhedron::Index(cut));
-      const Array<DividedPolyhedron::Index> kept(divided.inside().begin(), divided.inside().end()),
-          rest(divided.outside().begin(), divided.outside().end());
-      const VolumeAndMoment outside = divided.measure(rest);
-      CHECK(divided.measure(kept).volume == Approx(inside.volume).margin(1e-14));
+      const VolumeAndMoment content = part.measure();
+      const Halfspace<3> plane = draw_plane();
+      const auto keep = [&](ClippedPolyhedron& kept, const Halfspace<3>& what) {
+        kept.begin(part);
+        kept.sound(what);
+        kept.cut();
+        return kept.measure();
+      };
+      const VolumeAndMoment inside = keep(behind, plane),
+                            outside = keep(ahead, {-plane.normal, -plane.offset});
       CHECK(inside.volume + outside.volume == Approx(content.volume).margin(1e-14));
       CHECK((inside.moment + outside.moment - content.moment).norm() <= 1e-14);
-      part = inside.volume > outside.volume ? kept : rest;
+      part.begin(inside.volume > outside.volume ? behind : ahead);
     }
   }
 }
