@@ -46,7 +46,7 @@ bool LawTable::is_consistent() const {
   };
   const auto is_known = [&](const ContactLaw& law) {
     return law.is_consistent() && (knows_potential_ || !law.is_potential()) &&
-           (knows_no_spring_ || !law.has_no_spring()) && (knows_per_area_ || !law.is_per_area());
+           (knows_no_spring_ || !law.has_no_spring());
   };
   return material_count_ >= 0 && law_of_pair_.size() == materials * (materials + 1) / 2 &&
          all(law_of_pair_, names_a_law) && is_known(default_) && all(own_, is_known);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "geometry/vector.h"
 
@@ -10,6 +11,26 @@ namespace halfspace {
 
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
+
+/// A kind with springs, as a constant.
+template <StiffnessKind kind>
+using SpringKind = std::integral_constant<StiffnessKind, kind>;
+
+/// Calls `visit(kind)` for each kind with springs.
+template <class Visit>
+void for_each_spring_kind(Visit visit) {
+  visit(SpringKind<StiffnessKind::per_contact>());
+  visit(SpringKind<StiffnessKind::per_area>());
+  visit(SpringKind<StiffnessKind::potential>());
+}
+
+/// Calls `visit(kind)` for one of them.
+template <class Visit>
+void for_spring_kind(StiffnessKind kind, Visit visit) {
+  for_each_spring_kind([&](auto known) {
+    if (known == kind) visit(known);
+  });
+}
 
 /// Settings of a law as a host gave them, where the law itself has something else.
 struct LawAsGiven {
@@ -111,9 +132,6 @@ class LawTable {
   /// The same for a law without a spring.
   bool knows_no_spring() const { return knows_no_spring_; }
 
-  /// True if a law per area has ever been set.
-  bool knows_per_area() const { return knows_per_area_; }
-
   /// True if the condition holds for the law of any pair of materials.
   template <class Condition>
   bool any(Condition condition) const {
@@ -128,15 +146,13 @@ class LawTable {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(default_, own_, law_of_pair_, material_count_, knows_potential_, knows_no_spring_,
-            knows_per_area_);
+    archive(default_, own_, law_of_pair_, material_count_, knows_potential_, knows_no_spring_);
   }
 
  private:
   void note(const ContactLaw& law) {
     knows_potential_ |= law.is_potential();
     knows_no_spring_ |= law.has_no_spring();
-    knows_per_area_ |= law.is_per_area();
   }
   /// The index in the lower triangle, row by row: a new material adds a row at the end.
   static std::size_t index(std::int32_t a, std::int32_t b) {
@@ -150,7 +166,6 @@ class LawTable {
   std::int32_t material_count_ = 0;
   std::int32_t knows_potential_ = 0;
   std::int32_t knows_no_spring_ = 0;
-  std::int32_t knows_per_area_ = 0;
 };
 
 }  // namespace halfspace

@@ -98,8 +98,12 @@ struct WorldParts {
     sums = {};
     contacts.forget();
     for (std::size_t k = 0; k < neighbors.pairs().size(); ++k) {
-      found.push_back(contacts.find(k, contact, sums));
-      if (found.back() != Found::apart) contacts.keep(k, 0, contact, sums);
+      for_spring_kind(model.law_of(neighbors.pairs()[k]).stiffness_kind, [&](auto kind) {
+        found.push_back(contacts.template find<kind>(k, contact, sums));
+        if (found.back() == Found::apart) return;
+        contacts.keep(k, 0, sums);
+        contacts.template note_overlap<kind>(contact, sums);
+      });
     }
     contacts.end(std::span(&sums, 1));
     return found;
@@ -109,7 +113,9 @@ struct WorldParts {
   ContactEnergy load_blocks(double elapsed = 0) {
     typename ForcePass<D>::Evaluation evaluation = forces.begin(elapsed);
     for (std::size_t c = 0; c < contacts.count(); ++c)
-      forces.load(contacts.touching()[c], contacts.contact(c), evaluation);
+      for_spring_kind(model.law_of(contacts.pair_of(c)).stiffness_kind, [&](auto kind) {
+        forces.template load<kind>(contacts.touching()[c], contacts.contact(c), evaluation);
+      });
     sums.last_block = evaluation.last_block;
     forces.gather(std::span(&sums, 1));
     return evaluation.energy;

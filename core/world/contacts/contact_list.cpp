@@ -30,27 +30,23 @@ double ContactList<D>::rounding_of_touch(const Candidate<D>& pair) const {
 }
 
 template <int D>
-bool ContactList<D>::is_described(const Candidate<D>& pair) const {
-  return is_always_described(pair) || pair.witness.state == PairCache<D>::unknown || pair.bonded;
-}
-
-template <int D>
 double ContactList<D>::release_shear(std::size_t k) {
   if (neighbors_.shear().empty()) return 0;
   return energy_of(std::exchange(neighbors_.shear()[k], {}));
 }
 
 template <int D>
+template <StiffnessKind kind>
 Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
   Candidate<D>& pair = neighbors_.pairs()[k];
   PairCache<D>& witness = pair.witness;
   const auto [a, b, to_b] = model_.blocks.placed(pair.a, pair.b);
   const typename PairCache<D>::State before = witness.state;
   bool has_met = false;
-  const bool describes = is_described(pair);
+  const bool describes = is_described<kind>(pair);
   if (describes ? find_contact(a, b, to_b, model_.settings.detect, witness, contact)
                 : touch(a, b, to_b, witness)) {
-    if (!describes && model_.law_of(pair).is_potential()) witness.state = PairCache<D>::overlapping;
+    if (!describes && kind == StiffnessKind::potential) witness.state = PairCache<D>::overlapping;
     has_met = before < PairCache<D>::touching;
   } else {
     if (!pair.bonded) {
@@ -69,6 +65,16 @@ Found ContactList<D>::find(std::size_t k, Contact<D>& contact, PairSums& sums) {
     if (!pair.bonded) return Found::apart;
   }
   return has_met ? Found::met : Found::in_contact;
+}
+
+template <int D>
+void ContactList<D>::put_in_order(std::size_t first_of_chunk, const PairSums& sums) {
+  const auto sort = [&](Array<std::uint32_t>& pairs, std::uint32_t count) {
+    const auto begin = pairs.begin() + std::ptrdiff_t(first_of_chunk);
+    std::sort(begin, begin + count);
+  };
+  sort(found_in_chunks_, sums.contacts);
+  sort(met_in_chunks_, sums.met);
 }
 
 template <int D>
@@ -190,5 +196,16 @@ bool ContactList<D>::is_consistent() const {
 
 template class ContactList<2>;
 template class ContactList<3>;
+
+#define HALFSPACE_FIND(D, KIND) \
+  template Found ContactList<D>::find<StiffnessKind::KIND>(std::size_t, Contact<D>&, PairSums&);
+#define HALFSPACE_FINDS(D)       \
+  HALFSPACE_FIND(D, per_contact) \
+  HALFSPACE_FIND(D, per_area)    \
+  HALFSPACE_FIND(D, potential)
+HALFSPACE_FINDS(2)
+HALFSPACE_FINDS(3)
+#undef HALFSPACE_FINDS
+#undef HALFSPACE_FIND
 
 }  // namespace halfspace

@@ -68,21 +68,18 @@ class ContactList {
   std::optional<std::size_t> contact_between(std::int32_t a, std::int32_t b) const;
 
   bool are_found() const { return found_; }
-  /// Tests a pair; a bonded pair is always in contact. Computes the contact if is_described(). Called for
-  /// each pair, chunk by chunk, after forget().
+  /// Tests a pair under a law of this kind; a bonded pair is always in contact. Computes the contact if
+  /// is_described(). Called for each pair, chunk by chunk, after forget().
+  template <StiffnessKind kind>
   Found find(std::size_t k, Contact<D>& contact, PairSums& sums);
-  /// Records a pair in contact, with its final description.
-  void keep(std::size_t k, std::size_t first_of_chunk, const Contact<D>& contact, PairSums& sums) {
-    keep(k, first_of_chunk, sums);
-    note_overlap(k, contact, sums);
-  }
-  /// The same without its description.
+  /// Records a pair in contact.
   void keep(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
     found_in_chunks_[first_of_chunk + sums.contacts++] = std::uint32_t(k);
   }
-  void note_overlap(std::size_t k, const Contact<D>& contact, PairSums& sums) const {
-    if (is_always_described(neighbors_.pairs()[k]))
-      sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
+  /// Records the overlap of a contact with its final description.
+  template <StiffnessKind kind>
+  static void note_overlap(const Contact<D>& contact, PairSums& sums) {
+    if (is_always_described<kind>) sums.peak_overlap = std::max(sums.peak_overlap, -contact.gap);
   }
   /// Records a pair that has met. Its entry face is determined once all other contacts are known.
   void note_met(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
@@ -97,13 +94,13 @@ class ContactList {
   static bool was_in_contact(const Candidate<D>& pair) {
     return pair.bonded || pair.witness.state >= PairCache<D>::touching;
   }
-  /// Records a pair that detection skips, if it was in contact.
+  /// Records a pair in contact that detection skips.
   void keep_as_it_was(std::size_t k, std::size_t first_of_chunk, PairSums& sums) {
-    const Candidate<D>& pair = neighbors_.pairs()[k];
-    if (!was_in_contact(pair)) return;
     keep(k, first_of_chunk, sums);
-    sums.last_block = std::max(sums.last_block, pair.b);
+    sums.last_block = std::max(sums.last_block, neighbors_.pairs()[k].b);
   }
+  /// Sorts the contacts of a chunk, and those that have met, in the order of the pairs.
+  void put_in_order(std::size_t first_of_chunk, const PairSums& sums);
   /// Collects the contacts of all chunks.
   void end(std::span<const PairSums> chunks);
   /// The contacts in a chunk of pairs.
@@ -117,7 +114,10 @@ class ContactList {
   /// laws need it only at the first detection and for pairs bonded by another law; laws per area, too, but
   /// for their own bonds. In 2D it is cheap, and potential laws always need it because it updates the cached
   /// pair, by at most one edge per detection.
-  bool is_described(const Candidate<D>& pair) const;
+  template <StiffnessKind kind>
+  static bool is_described(const Candidate<D>& pair) {
+    return is_always_described<kind> || pair.witness.state == PairCache<D>::unknown || pair.bonded;
+  }
   /// Bound of the gap or overlap that rounding causes for two blocks placed exactly in touch.
   double rounding_of_touch(const Candidate<D>& pair) const;
 
@@ -185,12 +185,9 @@ class ContactList {
   double release_shear(std::size_t k);
   /// False for laws per area, and for potential laws in 3D, which compute contacts only at the first
   /// detection.
-  bool is_always_described(const Candidate<D>& pair) const {
-    const LawTable& laws = model_.materials.laws();
-    if (!laws.knows_per_area() && (D == 2 || !laws.knows_potential())) return true;
-    const ContactLaw& law = model_.law_of(pair);
-    return !law.is_per_area() && (D == 2 || !law.is_potential());
-  }
+  template <StiffnessKind kind>
+  static constexpr bool is_always_described = kind != StiffnessKind::per_area &&
+                                              (D == 2 || kind != StiffnessKind::potential);
 
   Model<D>& model_;
   NeighborList<D> neighbors_;

@@ -62,47 +62,50 @@ const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b
   return &evaluation.strain_rates;
 }
 
-/// The load of a contact by a spring law.
+/// The load of a contact by springs on a base: at points, or over an area.
 template <int D>
-PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact, const ContactLaw& law,
+template <class Base>
+PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact, const Base& base,
                                       const Spring<D>& spring, ShearSpring<D>& shear,
                                       Evaluation& evaluation) {
-  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   bool bonded = pair.bonded;
-  const auto evaluate = [&](const auto& base) {
-    return spring.evaluate(contact, base, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
-  };
-  PairLoad<D> load;
-  if (law.is_per_area()) {
-    const Pressure<D> pressure = pressure_between(at.a, at.b, at.to_b, pair.witness.pair,
-                                                  pressure_rooms_[std::size_t(evaluation.worker)]);
-    load = evaluate(pressure);
-    if (bonded && is_joint_face(contact)) {
-      evaluation.peak_overlap = std::max(evaluation.peak_overlap, -contact.gap);
-    } else if (!pressure.is_empty()) {
-      evaluation.peak_overlap = std::max(evaluation.peak_overlap, pressure.depth);
-      if (evaluation.elapsed > 0) {  // a force that is evaluated again has the same bits
-        pair.witness.pair = pressure.face;
-        remember_point(pressure.centroid, pair.witness);
-      }
-      if (blocks_.has_deformable())
-        evaluation.stretch = stretch_besides(pressure, law.normal_stiffness, at.to_b);
-    }
-  } else {
-    load = evaluate(point_springs(at.a, at.b, at.to_b, contact));
-  }
+  const PairLoad<D> load =
+      spring.evaluate(contact, base, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
   pair.bonded = bonded;
   return load;
 }
 
-/// The load of a contact by a potential law. Caches the centroid of the overlap, which the next detection
-/// tests first.
+/// The load by a law per area. It does not use `contact`, but for a bond.
 template <int D>
-PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& law, const Spring<D>& spring,
-                                         ShearSpring<D>& shear, Evaluation& evaluation) {
+PairLoad<D> ForcePass<D>::pressure_load(Candidate<D>& pair, const Contact<D>& contact,
+                                        const PlacedBlocks<D>& at, const ContactLaw& law,
+                                        const Spring<D>& spring, ShearSpring<D>& shear,
+                                        Evaluation& evaluation) {
+  const Pressure<D> pressure = pressure_between(at.a, at.b, at.to_b, pair.witness.pair,
+                                                pressure_rooms_[std::size_t(evaluation.worker)]);
+  const PairLoad<D> load = spring_load(pair, contact, pressure, spring, shear, evaluation);
+  if (pair.bonded && is_joint_face(contact)) {
+    evaluation.peak_overlap = std::max(evaluation.peak_overlap, -contact.gap);
+  } else if (!pressure.is_empty()) {
+    evaluation.peak_overlap = std::max(evaluation.peak_overlap, pressure.depth);
+    if (evaluation.elapsed > 0) {  // a force that is evaluated again has the same bits
+      pair.witness.pair = pressure.face;
+      remember_point(pressure.centroid, pair.witness);
+    }
+    if (blocks_.has_deformable())
+      evaluation.stretch = stretch_besides(pressure, law.normal_stiffness, at.to_b);
+  }
+  return load;
+}
+
+/// The load by a potential law, which does not use `contact`. Caches the centroid of the overlap, which the
+/// next detection tests first.
+template <int D>
+PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const PlacedBlocks<D>& at, const ContactLaw& law,
+                                         const Spring<D>& spring, ShearSpring<D>& shear,
+                                         Evaluation& evaluation) {
   // A bond of another law ends: potential laws have no cohesion.
   if (evaluation.elapsed > 0) pair.bonded = false;
-  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
   const PotentialForce<D> potential =
       potential_force(at.a, at.b, at.to_b, potential_rooms_[std::size_t(evaluation.worker)]);
   const double stiffness = law.normal_stiffness / evaluation.potential_length;
@@ -113,8 +116,8 @@ PairLoad<D> ForcePass<D>::potential_load(Candidate<D>& pair, const ContactLaw& l
   return spring.evaluate(line, motion, shear, evaluation.energy);
 }
 
-/// Potential laws do not use `contact`, nor do laws per area but for a bond.
 template <int D>
+template <StiffnessKind kind>
 void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation) {
   Candidate<D>& pair = neighbors_.pairs()[k];
   const ContactLaw& law = model_.law_of(pair);
@@ -124,8 +127,15 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   const Spring<D> spring(law, reduced_mass, evaluation.elapsed);
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
-  const PairLoad<D> load = law.is_potential() ? potential_load(pair, law, spring, shear, evaluation)
-                                              : spring_load(pair, contact, law, spring, shear, evaluation);
+  const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
+  PairLoad<D> load;
+  if constexpr (kind == StiffnessKind::potential) {
+    load = potential_load(pair, at, law, spring, shear, evaluation);
+  } else if constexpr (kind == StiffnessKind::per_area) {
+    load = pressure_load(pair, contact, at, law, spring, shear, evaluation);
+  } else {
+    load = spring_load(pair, contact, point_springs(at.a, at.b, at.to_b, contact), spring, shear, evaluation);
+  }
   forces_[k] = load.contact;
   if (!dashpots_.empty()) dashpots_[k] = is_damped ? load.viscous : DashpotForce<D>::none();
   if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);
@@ -268,5 +278,16 @@ double ForcePass<D>::dashpot_power(std::size_t i) const {
 
 template class ForcePass<2>;
 template class ForcePass<3>;
+
+#define HALFSPACE_LOAD(D, KIND) \
+  template void ForcePass<D>::load<StiffnessKind::KIND>(std::size_t, const Contact<D>&, Evaluation&);
+#define HALFSPACE_LOADS(D)       \
+  HALFSPACE_LOAD(D, per_contact) \
+  HALFSPACE_LOAD(D, per_area)    \
+  HALFSPACE_LOAD(D, potential)
+HALFSPACE_LOADS(2)
+HALFSPACE_LOADS(3)
+#undef HALFSPACE_LOADS
+#undef HALFSPACE_LOAD
 
 }  // namespace halfspace

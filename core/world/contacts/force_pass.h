@@ -57,7 +57,8 @@ class ForcePass {
 
   /// `elapsed`: time over which shear springs grow, s. If it is not 0, velocities are those of its middle.
   Evaluation begin(double elapsed) const;
-  /// Computes the load of a pair's contact on its two blocks.
+  /// Computes the load of a pair's contact on its two blocks, by a law of this kind.
+  template <StiffnessKind kind>
   void load(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   /// Sums the loads of all contacts per block. `chunks`: those whose pairs have been loaded.
   void gather(std::span<const PairSums> chunks);
@@ -129,11 +130,15 @@ class ForcePass {
   [[gnu::always_inline]] inline PairMotion<D> motion_of(const Candidate<D>& pair,
                                                         Evaluation& evaluation) const;
   const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
+  template <class Base>
   [[gnu::always_inline]] inline PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact,
-                                                        const ContactLaw& law, const Spring<D>& spring,
+                                                        const Base& base, const Spring<D>& spring,
                                                         ShearSpring<D>& shear, Evaluation& evaluation);
-  PairLoad<D> potential_load(Candidate<D>& pair, const ContactLaw& law, const Spring<D>& spring,
-                             ShearSpring<D>& shear, Evaluation& evaluation);
+  PairLoad<D> pressure_load(Candidate<D>& pair, const Contact<D>& contact, const PlacedBlocks<D>& at,
+                            const ContactLaw& law, const Spring<D>& spring, ShearSpring<D>& shear,
+                            Evaluation& evaluation);
+  PairLoad<D> potential_load(Candidate<D>& pair, const PlacedBlocks<D>& at, const ContactLaw& law,
+                             const Spring<D>& spring, ShearSpring<D>& shear, Evaluation& evaluation);
   Virials virials_of(const Candidate<D>& pair, const PairLoad<D>& load, bool is_damped,
                      Evaluation& evaluation) const;
   void gather_row(std::size_t first_block, std::size_t last_block, std::span<const PairSums> chunks);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "world/contacts/entrance.h"
+#include "world/stages/pairs_by_law.h"
 #include "world/stages/state.h"
 
 namespace halfspace {
@@ -14,7 +15,10 @@ template <int D>
 class ContactStage {
  public:
   explicit ContactStage(State<D>& state)
-      : state_(state), entrances_(state.model, state.contacts, state.memory()), sums_(state.memory()) {}
+      : state_(state),
+        pairs_(state.memory()),
+        entrances_(state.model, state.contacts, state.memory()),
+        sums_(state.memory()) {}
 
   /// Reserves memory for the neighbour list in use.
   void fit_room();
@@ -26,32 +30,40 @@ class ContactStage {
   /// Adds their forces to the blocks and their energies to the ledger.
   void gather();
   /// The list of pairs is new.
-  void forget_sleeping() { loaded_sleep_.reset(); }
+  void forget_pairs() { sorted_for_.reset(); }
 
  private:
   using Evaluation = typename ForcePass<D>::Evaluation;
 
-  bool asks_no_pair() const;
-  bool leaves_out(std::size_t k, const Chunk& chunk, PairSums& sums);
-  template <bool asks, class OnContact>
-  void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
-  template <class OnContact>
-  void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
+  void sort_pairs();
   template <class Visit>
   void pass_over_pairs(Visit visit);
+  /// Calls `visit(kind)` with the kind of a pair's law.
+  template <class Visit>
+  void for_kind_of(const Candidate<D>& pair, Visit visit) const {
+    for_spring_kind(state_.model.law_of(pair).stiffness_kind, visit);
+  }
+  template <StiffnessKind kind, class OnContact>
+  void find_under(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
+  template <class OnContact>
+  void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
   void find_entrances(double made);
   template <class OnContact>
   void take_in_met(double made, OnContact on_contact);
   void end_finding();
+  template <StiffnessKind kind>
   void load_pair(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
-  void load_found(const Chunk& chunk, double made, bool are_found, PairSums& sums, Evaluation evaluation);
-  void load_sleeping();
+  void load_known(std::size_t k, Evaluation& evaluation);
+  void load_chunk(const Chunk& chunk, double made, bool are_found, PairSums& sums, Evaluation evaluation);
+  void load_sleepers();
 
   State<D>& state_;
+  PairsByLaw<D> pairs_;
+  std::optional<std::uint32_t> sorted_for_;  // Sleep::changes() when they were sorted
   Entrances<D> entrances_;
-  Array<PairSums> sums_;                       // per chunk of pairs
-  double strain_of_sleeping_ = 0;              // J
-  std::optional<std::uint32_t> loaded_sleep_;  // Sleep::changes() when forces of sleeping pairs were computed
+  Array<PairSums> sums_;  // per chunk of pairs
+  bool are_sleepers_loaded_ = false;
+  double strain_of_sleepers_ = 0;  // J
 };
 
 extern template class ContactStage<2>;
