@@ -136,7 +136,7 @@ def with_comment(code, comment, longest_line=LONGEST_LINE):
     return [*above(indent, comment), code]
 
 
-def broken(statement):
+def broken(statement, longest_line=LONGEST_LINE):
     """A statement in as many lines as it takes."""
-    lines = textwrap.wrap(statement, LONGEST_LINE - 2, subsequent_indent=8 * " ")
+    lines = textwrap.wrap(statement, longest_line - 2, subsequent_indent=8 * " ")
     return [*(line + " &" for line in lines[:-1]), lines[-1]]

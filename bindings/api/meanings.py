@@ -66,6 +66,7 @@ MEANINGS = {
     "hs_note.setting": "HS_SETTING_",
     "hs_note.material_a": INDEX_OR_NONE,
     "hs_note.material_b": INDEX_OR_NONE,
+    "hs_elasticity_def.plane": "HS_PLANE_",
     "hs_action_def.kind": "HS_ACTION_",
     "hs_action_def.place": "HS_PLACE_",
     "hs_action_def.table": INDEX,

@@ -13,21 +13,21 @@
 module halfspace
   use halfspace_constants
   use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state, operator(==), operator(/=)
-  use halfspace_bolted_worlds, only: halfspace_bolt, halfspace_bolt_state
+  use halfspace_bolted_worlds, only: halfspace_bolt_state
   use halfspace_bonded_worlds, only: halfspace_balance, halfspace_strength_report
-  use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
+  use halfspace_bonds, only: halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_checks, only: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon, &
     halfspace_clean_report, halfspace_fault
   use halfspace_contacts, only: halfspace_block, halfspace_contact, operator(==), operator(/=)
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
   use halfspace_defined_worlds, only: halfspace_action, halfspace_note, halfspace_usual_range, halfspace_usual_text, &
     halfspace_world_def
-  use halfspace_definitions, only: halfspace_angle, halfspace_elasticity, halfspace_law, &
-    halfspace_motion, halfspace_pose
+  use halfspace_definitions, only: halfspace_angle, halfspace_motion, halfspace_pose
   use halfspace_deformations, only: halfspace_deformation
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
+  use halfspace_properties, only: halfspace_bolt, halfspace_bond, halfspace_elasticity, halfspace_law
   use halfspace_queries, only: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, &
     halfspace_find_closest_points, halfspace_order_along_curve, halfspace_ray_hit
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties

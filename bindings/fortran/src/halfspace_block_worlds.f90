@@ -5,7 +5,8 @@ module halfspace_block_worlds
   use halfspace_c, halfspace_block_state => hs_block_state
   use halfspace_contacts, only: halfspace_block
   use halfspace_contexts, only: halfspace_context
-  use halfspace_definitions, only: halfspace_elasticity, halfspace_law, halfspace_pose
+  use halfspace_definitions, only: halfspace_pose
+  use halfspace_properties, only: halfspace_elasticity, halfspace_law
   use halfspace_deformations, only: halfspace_deformation
   use halfspace_handles, only: shared_handle
   use halfspace_shapes, only: halfspace_shape

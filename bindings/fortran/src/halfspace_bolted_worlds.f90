@@ -2,22 +2,16 @@
 module halfspace_bolted_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_sizeof
   use halfspace_bonded_worlds, only: bonded_world
-  use halfspace_c, only: hs_bolt_def_init, hs_mutable_view, hs_water_def, hs_water_def_init, &
-    hs_world_add_bolt, hs_world_get_block_at, hs_world_get_bolts, hs_world_get_water_loads, hs_world_remove_bolt, &
-    hs_world_set_water, HS_OK, halfspace_bolt => hs_bolt_def
+  use halfspace_c, only: hs_mutable_view, hs_water_def, hs_water_def_init, hs_world_add_bolt, hs_world_get_block_at, &
+    hs_world_get_bolts, hs_world_get_water_loads, hs_world_remove_bolt, hs_world_set_water, HS_OK
   use halfspace_contacts, only: halfspace_block, id_of
   use halfspace_errors, only: conclude, had_memory
+  use halfspace_properties, only: halfspace_bolt
   use halfspace_records, only: halfspace_bolt_state
   use halfspace_views, only: address_of, are_points, is_vector, mutable_view, three_of, view
   implicit none
   private
-  public :: bolted_world, halfspace_bolt, halfspace_bolt_state
-
-  !> halfspace_bolt(stiffness=2e7_c_double, pretension=...): missing arguments have the defaults of the library. In 2D
-  !! forces are per unit thickness.
-  interface halfspace_bolt
-    module procedure bolt
-  end interface
+  public :: bolted_world, halfspace_bolt_state
 
   !> A world with bolts and water; halfspace_world extends it.
   type, extends(bonded_world) :: bolted_world
@@ -31,23 +25,6 @@ module halfspace_bolted_worlds
   end type bolted_world
 
 contains
-
-  function bolt(stiffness, pretension, yield_force, rupture_elongation, tension_only)
-    real(c_double), intent(in), optional :: stiffness  !< N/m, > 0: force per elongation; default 1e8
-    real(c_double), intent(in), optional :: pretension  !< N; default 0
-    real(c_double), intent(in), optional :: yield_force  !< N, >= 0: max magnitude; default 0: does not yield
-    !> m, from the unstressed length, beyond which it ruptures; default 0: does not rupture
-    real(c_double), intent(in), optional :: rupture_elongation
-    logical, intent(in), optional :: tension_only  !< default .true.; .false.: bears compression, too
-    type(halfspace_bolt) :: bolt
-    ! A bolt whose initialisation fails keeps size 0, and is refused on use.
-    if (hs_bolt_def_init(bolt, c_sizeof(bolt)) /= HS_OK) return
-    if (present(stiffness)) bolt%stiffness = stiffness
-    if (present(pretension)) bolt%pretension = pretension
-    if (present(yield_force)) bolt%yield_force = yield_force
-    if (present(rupture_elongation)) bolt%rupture_elongation = rupture_elongation
-    if (present(tension_only)) bolt%is_tension_only = merge(1_c_int32_t, 0_c_int32_t, tension_only)
-  end function bolt
 
   !> Adds a bolt between the current positions of two places, each carried by a block, or by the ground where the block
   !! is missing. The removal of a block removes its bolts. HS_ERROR_STATE if neither block moves.

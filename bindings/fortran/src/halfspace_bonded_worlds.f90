@@ -3,8 +3,9 @@ module halfspace_bonded_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c, halfspace_strength_report => hs_strength_report
   use halfspace_block_worlds, only: block_world, takes_world
-  use halfspace_bonds, only: halfspace_bond, halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
+  use halfspace_bonds, only: halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
   use halfspace_contacts, only: halfspace_block
+  use halfspace_properties, only: halfspace_bond
   use halfspace_records, only: halfspace_balance
   implicit none
   private

@@ -273,24 +273,28 @@ module halfspace_c
   !!
   !! The force of a potential acts along its own line of action, which for aligned faces is the contact
   !! normal. Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
-  !! components of the total force along and perpendicular to the contact normal. Potentials have neither
-  !! cohesion nor tensile strength.
+  !! components of the total force along and perpendicular to the contact normal.
   !!
   !! Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
   !! hold hops down a slope. Set both damping ratios to 0 for a rebound without loss.
   type, bind(c) :: hs_law_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_law_def_init()
     integer(c_int32_t) :: stiffness_kind = 0  !< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-    real(c_double) :: normal_stiffness = 0.0_c_double  !< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
-    real(c_double) :: shear_stiffness = 0.0_c_double  !< N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
+    !> N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9; ignored with HS_STIFFNESS_NONE
+    real(c_double) :: normal_stiffness = 0.0_c_double
+    !> N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness; ignored with HS_STIFFNESS_NONE
+    real(c_double) :: shear_stiffness = 0.0_c_double
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0
-    !> Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
+    !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
+    !! begins, until they fail
     real(c_double) :: cohesion = 0.0_c_double
-    real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0; of the same contacts as cohesion
-    real(c_double) :: normal_damping = 0.0_c_double  !< damping ratio (fraction of critical viscous damping), >= 0; default 0.1
-    real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1
-    !> coefficient of restitution of rigid blocks, [0, 1]; default 0; with HS_STIFFNESS_NONE and without
-    !! cohesion and tensile strength only
+    !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
+    real(c_double) :: tensile_strength = 0.0_c_double
+    !> damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    real(c_double) :: normal_damping = 0.0_c_double
+    real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    !> coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
+    !! cohesion and tensile strength
     real(c_double) :: restitution = 0.0_c_double
   end type hs_law_def
 
@@ -529,10 +533,12 @@ module halfspace_c
     real(c_double) :: max_speed = 0.0_c_double  !< of a servo, m/s, > 0
   end type hs_action_def
 
-  !> Elasticity of a material. Fill it with hs_elasticity_def_init().
+  !> Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff
+  !! stress is linear in the Green strain, so a rotation of any size causes neither strain nor energy. Fill it
+  !! with hs_elasticity_def_init().
   type, bind(c) :: hs_elasticity_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_elasticity_def_init()
-    integer(c_int32_t) :: plane = 0  !< 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+    integer(c_int32_t) :: plane = 0  !< HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS; default HS_PLANE_STRAIN
     real(c_double) :: young_modulus = 0.0_c_double  !< Pa, > 0; default 1e9
     real(c_double) :: poisson_ratio = 0.0_c_double  !< (-1, 0.5); default 0.25
     !> s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic stress
@@ -552,10 +558,11 @@ module halfspace_c
     real(c_double) :: strain_energy = 0.0_c_double  !< J, in 2D per unit thickness; 0 without stress
   end type hs_deformation
 
-  !> Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness.
+  !> Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness. Fill
+  !! it with hs_bolt_def_init().
   type, bind(c) :: hs_bolt_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_bolt_def_init()
-    !> 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+    !> 1: slack instead of compressed, as a cable; 0: bears compression, too, as a strut; default 1
     integer(c_int32_t) :: is_tension_only = 0
     integer(c_int64_t) :: block_a = 0  !< carries place_a; 0 (default): the ground, place_a stays
     integer(c_int64_t) :: block_b = 0  !< carries place_b; 0 (default): the ground, place_b stays
@@ -585,17 +592,18 @@ module halfspace_c
     integer(c_int32_t) :: reserved = 0  !< 0
   end type hs_bolt
 
-  !> Properties of a bond. Fill it with hs_bond_def_init().
+  !> Properties of a bond: springs at the integration points of a common face. Each point fails on its own, by
+  !! the Mohr-Coulomb criterion with a tension cut-off. Fill it with hs_bond_def_init().
   type, bind(c) :: hs_bond_def
     integer(c_int32_t) :: struct_size = 0  !< set by hs_bond_def_init()
     integer(c_int32_t) :: reserved = 0  !< 0
     real(c_double) :: normal_stiffness = 0.0_c_double  !< Pa/m, > 0; default 1e11
-    real(c_double) :: shear_stiffness = 0.0_c_double  !< Pa/m, > 0, or 0 (default): equal to normal_stiffness
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< Pa/m, >= 0; default 0: as normal_stiffness
     real(c_double) :: tensile_strength = 0.0_c_double  !< Pa, >= 0; default 0
     real(c_double) :: cohesion = 0.0_c_double  !< Pa, >= 0; default 0
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2), of intact points; default 0
     real(c_double) :: residual_cohesion = 0.0_c_double  !< Pa, from 0 to cohesion; default 0; of failed points
-    real(c_double) :: residual_friction_angle = 0.0_c_double  !< rad, [0, pi/2), of failed points; default below 0: friction_angle
+    real(c_double) :: residual_friction_angle = 0.0_c_double  !< rad, [0, pi/2), of failed points; default -1: friction_angle
     !> J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
     !! failure
     real(c_double) :: tensile_fracture_energy = 0.0_c_double

@@ -6,7 +6,7 @@ module halfspace_defined_worlds
     hs_world_get_actions, hs_world_get_def, hs_world_get_default_law, hs_world_get_densities, hs_world_get_elasticity, &
     hs_world_get_law, hs_world_get_table, HS_OK, halfspace_action => hs_action_def, halfspace_world_def => hs_world_def
   use halfspace_contacts, only: halfspace_block, id_of
-  use halfspace_definitions, only: halfspace_elasticity, halfspace_law
+  use halfspace_properties, only: halfspace_elasticity, halfspace_law
   use halfspace_errors, only: conclude, had_memory, refuse, text_at
   use halfspace_records, only: halfspace_note
   use halfspace_views, only: mutable_view

@@ -15,9 +15,6 @@ from ._arrays import pose
 from ._attributes import guard_attributes
 from ._help import wrap_signatures
 from ._library import status_text, version
-from .affine import Elasticity
-from .bolt import Bolt
-from .bond import Bond
 from .constants import (
     ActionKind,
     BlockKind,
@@ -56,10 +53,10 @@ from .errors import (
 )
 from .generators import arch, jointed_rock, stack, triangulated, voronoi, wall
 from .impact import Motion, pair_time_of_impact
-from .law import Law
 from .mesh import Mesh
 from .pair import PairCache, pair_caches, pair_detect, pairs_detect
 from .progress import ProgressBar
+from .properties import Bolt, Bond, Elasticity, Law
 from .query import boxes_find_pairs, pair_distance, points_order_along_curve
 from .records import (
     BALANCE,

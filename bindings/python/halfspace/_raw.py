@@ -349,8 +349,7 @@ class hs_law_def(_Struct):
 
     The force of a potential acts along its own line of action, which for aligned faces is the contact normal.
     Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
-    components of the total force along and perpendicular to the contact normal. Potentials have neither
-    cohesion nor tensile strength.
+    components of the total force along and perpendicular to the contact normal.
 
     Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
     hold hops down a slope. Set both damping ratios to 0 for a rebound without loss."""
@@ -358,17 +357,22 @@ class hs_law_def(_Struct):
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_law_def_init()
         ("stiffness_kind", c_int32),  # an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
-        ("normal_stiffness", c_double),  # N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
-        ("shear_stiffness", c_double),  # N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
+        # N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9; ignored with HS_STIFFNESS_NONE
+        ("normal_stiffness", c_double),
+        # N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness; ignored with HS_STIFFNESS_NONE
+        ("shear_stiffness", c_double),
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0
-        # Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
+        # Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first
+        # step begins, until they fail
         ("cohesion", c_double),
-        ("tensile_strength", c_double),  # Pa, >= 0; default 0; of the same contacts as cohesion
-        # damping ratio (fraction of critical viscous damping), >= 0; default 0.1
+        # Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
+        ("tensile_strength", c_double),
+        # damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+        # HS_STIFFNESS_NONE
         ("normal_damping", c_double),
-        ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1
-        # coefficient of restitution of rigid blocks, [0, 1]; default 0; with HS_STIFFNESS_NONE and without
-        # cohesion and tensile strength only
+        ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+        # coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
+        # cohesion and tensile strength
         ("restitution", c_double),
     ]
 
@@ -662,11 +666,13 @@ class hs_action_def(_Struct):
 
 
 class hs_elasticity_def(_Struct):
-    """Elasticity of a material. Fill it with hs_elasticity_def_init()."""
+    """Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff
+    stress is linear in the Green strain, so a rotation of any size causes neither strain nor energy. Fill it
+    with hs_elasticity_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_elasticity_def_init()
-        ("plane", c_int32),  # 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+        ("plane", c_int32),  # HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS; default HS_PLANE_STRAIN
         ("young_modulus", c_double),  # Pa, > 0; default 1e9
         ("poisson_ratio", c_double),  # (-1, 0.5); default 0.25
         # s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic
@@ -693,11 +699,12 @@ class hs_deformation(_Struct):
 
 
 class hs_bolt_def(_Struct):
-    """Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness."""
+    """Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness.
+    Fill it with hs_bolt_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_bolt_def_init()
-        # 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+        # 1: slack instead of compressed, as a cable; 0: bears compression, too, as a strut; default 1
         ("is_tension_only", c_int32),
         ("block_a", hs_block),  # carries place_a; 0 (default): the ground, place_a stays
         ("block_b", hs_block),  # carries place_b; 0 (default): the ground, place_b stays
@@ -732,19 +739,19 @@ class hs_bolt(_Struct):
 
 
 class hs_bond_def(_Struct):
-    """Properties of a bond. Fill it with hs_bond_def_init()."""
+    """Properties of a bond: springs at the integration points of a common face. Each point fails on its own,
+    by the Mohr-Coulomb criterion with a tension cut-off. Fill it with hs_bond_def_init()."""
 
     _fields_ = [
         ("struct_size", c_uint32),  # set by hs_bond_def_init()
         ("reserved", c_int32),  # 0
         ("normal_stiffness", c_double),  # Pa/m, > 0; default 1e11
-        ("shear_stiffness", c_double),  # Pa/m, > 0, or 0 (default): equal to normal_stiffness
+        ("shear_stiffness", c_double),  # Pa/m, >= 0; default 0: as normal_stiffness
         ("tensile_strength", c_double),  # Pa, >= 0; default 0
         ("cohesion", c_double),  # Pa, >= 0; default 0
         ("friction_angle", c_double),  # rad, [0, pi/2), of intact points; default 0
         ("residual_cohesion", c_double),  # Pa, from 0 to cohesion; default 0; of failed points
-        # rad, [0, pi/2), of failed points; default below 0: friction_angle
-        ("residual_friction_angle", c_double),
+        ("residual_friction_angle", c_double),  # rad, [0, pi/2), of failed points; default -1: friction_angle
         # J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
         # failure
         ("tensile_fracture_energy", c_double),

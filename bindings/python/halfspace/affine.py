@@ -1,62 +1,19 @@
 """Affine blocks: blocks with uniform strain and stress."""
 from __future__ import annotations
 
-import ctypes
-import dataclasses
-from typing import Optional, Union, cast
+from typing import Optional, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
 from ._arrays import block_id, index, struct_of, tensor, vector
-from ._choice import choice
 from ._library import library
 from ._record import Records, empty_record, empty_records
 from .block_arrays import BlockArrays
-from .constants import Plane
 from .context import held
+from .properties import Elasticity
 from .records import DEFORMATION, Deformation
-
-
-@dataclasses.dataclass(frozen=True)
-class Elasticity:
-    """Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff stress is
-    linear in the Green strain, so a rotation of any size causes neither strain nor energy.
-
-    Attributes
-    ----------
-    young_modulus : float
-        Pa, > 0.
-    poisson_ratio : float
-        In (-1, 0.5).
-    damping_time : float
-        s, >= 0. Stiffness-proportional (Rayleigh) damping: the viscous stress is the elastic stress of the strain
-        rate times this.
-    plane : Plane or its name
-        2D: "strain" (no strain perpendicular to the plane) or "stress" (no stress perpendicular to it).
-
-    Examples
-    --------
-    >>> granite = Elasticity(young_modulus=5e10, damping_time=1e-5)
-    >>> granite.poisson_ratio
-    0.25
-    """
-
-    young_modulus: float = 1e9
-    poisson_ratio: float = 0.25
-    damping_time: float = 0.0
-    plane: Union[Plane, str] = Plane.STRAIN
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "plane", choice(self.plane, Plane, "plane"))
-
-    def _as_struct(self) -> _raw.hs_elasticity_def:
-        struct = _raw.hs_elasticity_def()
-        library.hs_elasticity_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        for field in dataclasses.fields(self):
-            setattr(struct, field.name, getattr(self, field.name))
-        return struct
 
 
 class AffineBlocks(BlockArrays):

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 import operator
 from typing import Any, Optional
 
@@ -14,44 +13,8 @@ from ._library import library
 from ._record import Records, empty_records
 from .bond import BondedBlocks
 from .context import held
+from .properties import Bolt
 from .records import BOLT
-
-
-@dataclasses.dataclass(frozen=True)
-class Bolt:
-    """Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness.
-
-    Attributes
-    ----------
-    stiffness : float
-        N/m, > 0: force per elongation.
-    pretension : float
-        N: tension at the start; below 0 only where it bears compression.
-    yield_force : float
-        N, >= 0: max magnitude of the force; 0: it does not yield.
-    rupture_elongation : float
-        m, from the unstressed length, beyond which it ruptures; 0: it does not rupture.
-    is_tension_only : bool
-        Slack instead of compressed, as a cable; False: it bears compression, too, as a strut.
-
-    Examples
-    --------
-    >>> Bolt(stiffness=2e7, pretension=1e5).is_tension_only
-    True
-    """
-
-    stiffness: float = 1e8
-    pretension: float = 0.0
-    yield_force: float = 0.0
-    rupture_elongation: float = 0.0
-    is_tension_only: bool = True
-
-    def _as_struct(self) -> _raw.hs_bolt_def:
-        struct = _raw.hs_bolt_def()
-        library.hs_bolt_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        for field in dataclasses.fields(self):
-            setattr(struct, field.name, getattr(self, field.name))
-        return struct
 
 
 class BoltedBlocks(BondedBlocks):

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 from typing import cast
 
 from . import _raw
@@ -11,50 +10,8 @@ from ._library import library
 from ._record import Records, empty_record, empty_records
 from .context import held
 from .mesh import Bodies
+from .properties import Bond
 from .records import BOND, BOND_EVENT, BOND_REPORT, BondReport
-
-
-@dataclasses.dataclass(frozen=True)
-class Bond:
-    """Properties of a bond: springs at the integration points of a common face. Each point fails on its own, by the
-    Mohr-Coulomb criterion with a tension cut-off.
-
-    Attributes
-    ----------
-    normal_stiffness, shear_stiffness : float
-        Pa/m, > 0; a shear stiffness of 0 is equal to the normal stiffness.
-    tensile_strength, cohesion : float
-        Pa, >= 0.
-    friction_angle : float
-        rad, [0, pi/2), of intact points.
-    residual_cohesion, residual_friction_angle : float
-        Of failed points under compression: Pa, from 0 to the cohesion; rad, [0, pi/2), by default the friction angle.
-    tensile_fracture_energy, shear_fracture_energy : float
-        J/m2, >= 0, dissipated as the strength decreases linearly after the peak; 0: sudden failure.
-
-    Examples
-    --------
-    >>> mortar = Bond(normal_stiffness=1e11, tensile_strength=2e5, cohesion=4e5, friction_angle=0.5)
-    >>> mortar.residual_cohesion
-    0.0
-    """
-
-    normal_stiffness: float = 1e11
-    shear_stiffness: float = 0.0
-    tensile_strength: float = 0.0
-    cohesion: float = 0.0
-    friction_angle: float = 0.0
-    residual_cohesion: float = 0.0
-    residual_friction_angle: float = -1.0
-    tensile_fracture_energy: float = 0.0
-    shear_fracture_energy: float = 0.0
-
-    def _as_struct(self) -> _raw.hs_bond_def:
-        struct = _raw.hs_bond_def()
-        library.hs_bond_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        for field in dataclasses.fields(self):
-            setattr(struct, field.name, getattr(self, field.name))
-        return struct
 
 
 class BondedBlocks(Bodies):

@@ -13,7 +13,7 @@ from .constants import Setting, StiffnessKind
 from .records import Note, WorldReport
 
 if TYPE_CHECKING:
-    from .bond import Bond
+    from .properties import Bond
     from .world import World
 
 _BOND_SETTINGS = {

@@ -11,11 +11,10 @@ from . import _raw
 from ._arrays import block_id, index, mutable_view_of
 from ._library import library
 from ._record import Records, empty_records
-from .affine import Elasticity
 from .block_arrays import Floats
 from .constants import ActionKind, FastBlocks, ForcePlace
 from .context import held
-from .law import Law
+from .properties import Elasticity, Law
 from .records import NOTE
 from .relax import Statics
 

@@ -19,10 +19,10 @@ from .block_arrays import Floats
 from .compound import CompoundBlocks, set_start
 from .constants import BlockKind, FastBlocks
 from .context import Context, default_context, held
-from .law import Law
 from .notes import notes_on
 from .plot import picture_by, plot_blocks
 from .plot_space import plot_solids
+from .properties import Law
 from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
 from .run import Runs
 from .shape import Shape

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping
 
 import numpy as np
 
-from .affine import Elasticity
 from .constants import BlockKind, Plane, StiffnessKind
-from .law import Law
+from .properties import Elasticity, Law
 
 if TYPE_CHECKING:
     from .world import World

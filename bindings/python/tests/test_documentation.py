@@ -8,14 +8,14 @@ import re
 import pytest
 
 import halfspace
-from halfspace import affine, context, generators, impact, law, pair, query, run, scene, shape, world
+from halfspace import context, generators, impact, pair, properties, query, run, scene, shape, world
 
 README = pathlib.Path(__file__).parents[1] / "README.md"
 REFERENCE = pathlib.Path(__file__).resolve().parents[3] / "docs/doxygen/reference"
 SYMBOLS = pathlib.Path(__file__).parents[1] / "../../capi/symbols.txt"
 
 
-MODULES = [affine, context, generators, impact, law, pair, query, run, scene, shape, world]
+MODULES = [context, generators, impact, pair, properties, query, run, scene, shape, world]
 
 
 @pytest.mark.parametrize("module", [halfspace, halfspace._arrays, *MODULES])

@@ -146,14 +146,17 @@ def test_many_pairs_are_what_single_pairs_are(square):
         hs.pairs_detect([], np.empty((0, 7)), [(0, 1)])
 
 
-def test_laws_have_the_defaults_of_the_library():
+@pytest.mark.parametrize("name", ["law", "elasticity", "bond", "bolt"])
+def test_properties_have_the_defaults_of_the_library(name):
     from halfspace import _raw
     from halfspace._library import library
 
-    defaults = _raw.hs_law_def()
-    library.hs_law_def_init(defaults, ctypes.sizeof(defaults))
-    law = hs.Law()._as_struct()
-    assert bytes(law) == bytes(defaults)
+    defaults = getattr(_raw, f"hs_{name}_def")()
+    getattr(library, f"hs_{name}_def_init")(defaults, ctypes.sizeof(defaults))
+    assert bytes(getattr(hs, name.capitalize())()._as_struct()) == bytes(defaults)
+
+
+def test_laws_fill_a_struct():
     struct = hs.Law(cohesion=3, stiffness_kind=hs.StiffnessKind.PER_AREA)._as_struct()
     assert struct.cohesion == 3 and struct.stiffness_kind == 1
 

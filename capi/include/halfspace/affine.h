@@ -25,10 +25,12 @@ enum {
   HS_PLANE_STRESS = 1  /**< no stress perpendicular to the plane */
 };
 
-/** Elasticity of a material. Fill it with hs_elasticity_def_init(). */
+/** Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff stress is
+ *  linear in the Green strain, so a rotation of any size causes neither strain nor energy. Fill it with
+ *  hs_elasticity_def_init(). */
 typedef struct hs_elasticity_def {
   uint32_t struct_size;  /**< set by hs_elasticity_def_init() */
-  int32_t plane;         /**< 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN */
+  int32_t plane;         /**< HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS; default HS_PLANE_STRAIN */
   double young_modulus;  /**< Pa, > 0; default 1e9 */
   double poisson_ratio;  /**< (-1, 0.5); default 0.25 */
   double damping_time;   /**< s, >= 0; default 0. Stiffness-proportional (Rayleigh) damping: the viscous

@@ -16,11 +16,12 @@
 extern "C" {
 #endif
 
-/** Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness. */
+/** Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness. Fill it
+ *  with hs_bolt_def_init(). */
 typedef struct hs_bolt_def {
   uint32_t struct_size;      /**< set by hs_bolt_def_init() */
-  int32_t is_tension_only;   /**< 1 (default): slack instead of compressed, as a cable; 0: bears compression, too,
-                                  as a strut */
+  int32_t is_tension_only;   /**< 1: slack instead of compressed, as a cable; 0: bears compression, too, as a
+                                  strut; default 1 */
   hs_block block_a;          /**< carries place_a; 0 (default): the ground, place_a stays */
   hs_block block_b;          /**< carries place_b; 0 (default): the ground, place_b stays */
   double place_a[3];         /**< current position of the end, m; it may be outside of the block */

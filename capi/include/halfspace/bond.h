@@ -23,17 +23,18 @@
 extern "C" {
 #endif
 
-/** Properties of a bond. Fill it with hs_bond_def_init(). */
+/** Properties of a bond: springs at the integration points of a common face. Each point fails on its own, by the
+ *  Mohr-Coulomb criterion with a tension cut-off. Fill it with hs_bond_def_init(). */
 typedef struct hs_bond_def {
   uint32_t struct_size;           /**< set by hs_bond_def_init() */
   int32_t reserved;               /**< 0 */
   double normal_stiffness;        /**< Pa/m, > 0; default 1e11 */
-  double shear_stiffness;         /**< Pa/m, > 0, or 0 (default): equal to normal_stiffness */
+  double shear_stiffness;         /**< Pa/m, >= 0; default 0: as normal_stiffness */
   double tensile_strength;        /**< Pa, >= 0; default 0 */
   double cohesion;                /**< Pa, >= 0; default 0 */
   double friction_angle;          /**< rad, [0, pi/2), of intact points; default 0 */
   double residual_cohesion;       /**< Pa, from 0 to cohesion; default 0; of failed points */
-  double residual_friction_angle; /**< rad, [0, pi/2), of failed points; default below 0: friction_angle */
+  double residual_friction_angle; /**< rad, [0, pi/2), of failed points; default -1: friction_angle */
   double tensile_fracture_energy; /**< J/m2, >= 0, dissipated as tension decreases linearly with opening after
                                        the peak; default 0: sudden failure */
   double shear_fracture_energy;   /**< J/m2, >= 0, dissipated as shear strength decreases linearly with slip

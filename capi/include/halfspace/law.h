@@ -31,24 +31,27 @@ enum {
  *
  *  The force of a potential acts along its own line of action, which for aligned faces is the contact normal.
  *  Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
- *  components of the total force along and perpendicular to the contact normal. Potentials have neither
- *  cohesion nor tensile strength.
+ *  components of the total force along and perpendicular to the contact normal.
  *
  *  Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
  *  hold hops down a slope. Set both damping ratios to 0 for a rebound without loss. */
 typedef struct hs_law_def {
   uint32_t struct_size;     /**< set by hs_law_def_init() */
   int32_t stiffness_kind;   /**< an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT */
-  double normal_stiffness;  /**< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9 */
-  double shear_stiffness;   /**< N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness */
+  double normal_stiffness;  /**< N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9; ignored with
+                                 HS_STIFFNESS_NONE */
+  double shear_stiffness;   /**< N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness; ignored with
+                                 HS_STIFFNESS_NONE */
   double friction_angle;    /**< rad, [0, pi/2); default 0 */
-  double cohesion;          /**< Pa, >= 0; default 0; of contacts that exist when a block's first step begins,
-                                 until they fail */
-  double tensile_strength;  /**< Pa, >= 0; default 0; of the same contacts as cohesion */
-  double normal_damping;    /**< damping ratio (fraction of critical viscous damping), >= 0; default 0.1 */
-  double shear_damping;     /**< damping ratio, >= 0; default 0.1 */
-  double restitution;       /**< coefficient of restitution of rigid blocks, [0, 1]; default 0; with
-                                 HS_STIFFNESS_NONE and without cohesion and tensile strength only */
+  double cohesion;          /**< Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when
+                                 a block's first step begins, until they fail */
+  double tensile_strength;  /**< Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as
+                                 cohesion */
+  double normal_damping;    /**< damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored
+                                 with HS_STIFFNESS_NONE */
+  double shear_damping;     /**< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE */
+  double restitution;       /**< coefficient of restitution of rigid blocks, [0, 1]; default 0; only with
+                                 HS_STIFFNESS_NONE, without cohesion and tensile strength */
 } hs_law_def;
 
 /** @brief Fills a law with its defaults.

@@ -489,8 +489,7 @@ const _: () = assert!(std::mem::size_of::<hs_contact>() == 496);
 ///
 /// The force of a potential acts along its own line of action, which for aligned faces is the contact normal.
 /// Friction acts perpendicular to that line, at the centroid of the overlap. hs_contact reports the
-/// components of the total force along and perpendicular to the contact normal. Potentials have neither
-/// cohesion nor tensile strength.
+/// components of the total force along and perpendicular to the contact normal.
 ///
 /// Friction on springs needs damping: without it friction feeds vibrations, and a block that friction could
 /// hold hops down a slope. Set both damping ratios to 0 for a rebound without loss.
@@ -501,22 +500,24 @@ pub struct hs_law_def {
     pub struct_size: u32,
     /// an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     pub stiffness_kind: i32,
-    /// N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
+    /// N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9; ignored with HS_STIFFNESS_NONE
     pub normal_stiffness: f64,
-    /// N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
+    /// N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness; ignored with HS_STIFFNESS_NONE
     pub shear_stiffness: f64,
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
-    /// Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
+    /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
+    /// begins, until they fail
     pub cohesion: f64,
-    /// Pa, >= 0; default 0; of the same contacts as cohesion
+    /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     pub tensile_strength: f64,
-    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1
+    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    /// HS_STIFFNESS_NONE
     pub normal_damping: f64,
-    /// damping ratio, >= 0; default 0.1
+    /// damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     pub shear_damping: f64,
-    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; with HS_STIFFNESS_NONE and without
-    /// cohesion and tensile strength only
+    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; only with HS_STIFFNESS_NONE, without
+    /// cohesion and tensile strength
     pub restitution: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_law_def>() == 72);
@@ -911,13 +912,15 @@ pub struct hs_action_def {
 }
 const _: () = assert!(std::mem::size_of::<hs_action_def>() == 80);
 
-/// Elasticity of a material. Fill it with hs_elasticity_def_init().
+/// Elasticity of a material, for affine blocks and meshes. It is isotropic: the second Piola-Kirchhoff stress
+/// is linear in the Green strain, so a rotation of any size causes neither strain nor energy. Fill it with
+/// hs_elasticity_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_elasticity_def {
     /// set by hs_elasticity_def_init()
     pub struct_size: u32,
-    /// 2D: HS_PLANE_STRAIN (default) or HS_PLANE_STRESS; 3D: HS_PLANE_STRAIN
+    /// HS_PLANE_STRAIN or, in 2D, HS_PLANE_STRESS; default HS_PLANE_STRAIN
     pub plane: i32,
     /// Pa, > 0; default 1e9
     pub young_modulus: f64,
@@ -947,13 +950,14 @@ pub struct hs_deformation {
 }
 const _: () = assert!(std::mem::size_of::<hs_deformation>() == 296);
 
-/// Properties of a bolt. Fill it with hs_bolt_def_init(). In 2D forces are per unit thickness.
+/// Properties of a bolt: an axial force, linear in its elongation. In 2D forces are per unit thickness. Fill
+/// it with hs_bolt_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bolt_def {
     /// set by hs_bolt_def_init()
     pub struct_size: u32,
-    /// 1 (default): slack instead of compressed, as a cable; 0: bears compression, too, as a strut
+    /// 1: slack instead of compressed, as a cable; 0: bears compression, too, as a strut; default 1
     pub is_tension_only: i32,
     /// carries place_a; 0 (default): the ground, place_a stays
     pub block_a: hs_block,
@@ -1006,7 +1010,8 @@ pub struct hs_bolt {
 }
 const _: () = assert!(std::mem::size_of::<hs_bolt>() == 120);
 
-/// Properties of a bond. Fill it with hs_bond_def_init().
+/// Properties of a bond: springs at the integration points of a common face. Each point fails on its own, by
+/// the Mohr-Coulomb criterion with a tension cut-off. Fill it with hs_bond_def_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_bond_def {
@@ -1016,7 +1021,7 @@ pub struct hs_bond_def {
     pub reserved: i32,
     /// Pa/m, > 0; default 1e11
     pub normal_stiffness: f64,
-    /// Pa/m, > 0, or 0 (default): equal to normal_stiffness
+    /// Pa/m, >= 0; default 0: as normal_stiffness
     pub shear_stiffness: f64,
     /// Pa, >= 0; default 0
     pub tensile_strength: f64,
@@ -1026,7 +1031,7 @@ pub struct hs_bond_def {
     pub friction_angle: f64,
     /// Pa, from 0 to cohesion; default 0; of failed points
     pub residual_cohesion: f64,
-    /// rad, \[0, pi/2), of failed points; default below 0: friction_angle
+    /// rad, \[0, pi/2), of failed points; default -1: friction_angle
     pub residual_friction_angle: f64,
     /// J/m2, >= 0, dissipated as tension decreases linearly with opening after the peak; default 0: sudden
     /// failure

@@ -51,13 +51,13 @@ impl Law {
         self
     }
 
-    /// N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9
+    /// N/m, Pa/m or Pa by stiffness_kind, > 0; default 1e9; ignored with HS_STIFFNESS_NONE
     pub fn normal_stiffness(mut self, normal_stiffness: f64) -> Self {
         self.raw.normal_stiffness = normal_stiffness;
         self
     }
 
-    /// N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness
+    /// N/m or Pa/m (potentials: N/m), >= 0; default 0: as normal_stiffness; ignored with HS_STIFFNESS_NONE
     pub fn shear_stiffness(mut self, shear_stiffness: f64) -> Self {
         self.raw.shear_stiffness = shear_stiffness;
         self
@@ -69,32 +69,34 @@ impl Law {
         self
     }
 
-    /// Pa, >= 0; default 0; of contacts that exist when a block's first step begins, until they fail
+    /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
+    /// begins, until they fail
     pub fn cohesion(mut self, cohesion: f64) -> Self {
         self.raw.cohesion = cohesion;
         self
     }
 
-    /// Pa, >= 0; default 0; of the same contacts as cohesion
+    /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     pub fn tensile_strength(mut self, tensile_strength: f64) -> Self {
         self.raw.tensile_strength = tensile_strength;
         self
     }
 
-    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1
+    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    /// HS_STIFFNESS_NONE
     pub fn normal_damping(mut self, normal_damping: f64) -> Self {
         self.raw.normal_damping = normal_damping;
         self
     }
 
-    /// damping ratio, >= 0; default 0.1
+    /// damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     pub fn shear_damping(mut self, shear_damping: f64) -> Self {
         self.raw.shear_damping = shear_damping;
         self
     }
 
-    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; with HS_STIFFNESS_NONE and without
-    /// cohesion and tensile strength only
+    /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; only with HS_STIFFNESS_NONE, without
+    /// cohesion and tensile strength
     pub fn restitution(mut self, restitution: f64) -> Self {
         self.raw.restitution = restitution;
         self
@@ -240,7 +242,7 @@ impl Bond {
         self
     }
 
-    /// Pa/m, > 0, or 0 (default): equal to normal_stiffness
+    /// Pa/m, >= 0; default 0: as normal_stiffness
     pub fn shear_stiffness(mut self, shear_stiffness: f64) -> Self {
         self.raw.shear_stiffness = shear_stiffness;
         self
@@ -270,7 +272,7 @@ impl Bond {
         self
     }
 
-    /// rad, \[0, pi/2), of failed points; default below 0: friction_angle
+    /// rad, \[0, pi/2), of failed points; default -1: friction_angle
     pub fn residual_friction_angle(mut self, residual_friction_angle: f64) -> Self {
         self.raw.residual_friction_angle = residual_friction_angle;
         self

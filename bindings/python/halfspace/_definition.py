@@ -1,0 +1,28 @@
+"""Definitions: settings that a function of the library takes together."""
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+from enum import IntEnum
+from typing import Any, Callable, TypeVar
+
+from ._choice import choice
+
+_Struct = TypeVar("_Struct")
+
+
+@dataclasses.dataclass(frozen=True)
+class Definition:
+    """Settings with the names of the struct that they fill."""
+
+    def __post_init__(self) -> None:
+        for field in dataclasses.fields(self):
+            if isinstance(field.default, IntEnum):
+                value = choice(getattr(self, field.name), type(field.default), field.name)
+                object.__setattr__(self, field.name, value)
+
+    def _filled(self, struct: _Struct, initialise: Callable[..., Any]) -> _Struct:
+        initialise(ctypes.byref(struct), ctypes.sizeof(struct))  # type: ignore[arg-type]
+        for field in dataclasses.fields(self):
+            setattr(struct, field.name, getattr(self, field.name))
+        return struct
