@@ -1,6 +1,5 @@
 """What the comment of a setting says of its values, in the words of all headers: its range (`> 0`, `>= 0`, `[0, 1]`),
 its default (`default 0`), and the kinds of stiffness that it belongs to (`only with`, `not with`, `ignored with`)."""
-import math
 import re
 from collections import namedtuple
 
@@ -10,11 +9,34 @@ from header import Fault
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 RANGE = re.compile(rf"(>=?) ({NUMBER})|([\[(])({NUMBER}), (\S+?)([\])])")
 DEFAULT = re.compile(rf"\bdefault ({NUMBER}|HS_\w+)")
-WITH = re.compile(r"\b(only|not|ignored) with (HS_STIFFNESS_\w+(?:(?:, | and | or )HS_STIFFNESS_\w+)*)")
-ENDS = {"pi/2": math.pi / 2}
+WITH = re.compile(r"\b(only|not|ignored) with (HS_\w+(?:(?:, | and | or )HS_\w+)*)(?:, without (\w+(?: and \w+)*))?")
 
 # Without a limit, `high` is None.
 Range = namedtuple("Range", "low with_low high with_high")
+
+
+class Belongs:
+    """The laws that a number belongs to: those of some kinds of stiffness, or of all others, in which other numbers are
+    0. A law of another kind refuses or ignores it."""
+
+    def __init__(self, word, kinds, zeros):
+        self.is_refused, self.is_only, self.kinds, self.zeros = word != "ignored", word == "only", kinds, zeros
+
+    def condition(self, law, both="&&", either="||"):
+        same, joint = ("==", either) if self.is_only else ("!=", both)
+        kinds = f" {joint} ".join(f"{law}.stiffness_kind {same} {name}" for name in self.kinds)
+        if self.zeros and self.is_only and len(self.kinds) > 1:
+            kinds = f"({kinds})"
+        return f" {both} ".join([kinds, *(f"{law}.{name} == 0" for name in self.zeros)])
+
+    @property
+    def words(self):
+        """The value of the number in other laws."""
+        if not self.is_only:
+            return f"0 with {' and '.join(self.kinds)}"
+        zeros = f" and {' and '.join(self.zeros)} are 0" if self.zeros else ""
+        return f"0 unless stiffness_kind is {' or '.join(self.kinds)}{zeros}"
+
 
 # Structs of numbers, constants and flags alone, but for what functions fill in: the properties of materials and joints.
 PROPERTIES = ["hs_law_def", "hs_elasticity_def", "hs_bond_def", "hs_bolt_def"]
@@ -52,15 +74,12 @@ def range_of(field):
     return Range(found[4], found[3] == "[", found[5], found[6] == "]")
 
 
-def kinds_without(api, field):
-    """Word and kinds of stiffness that a number does not belong to, by its comment: they refuse or ignore it."""
+def belongs(field):
+    """The laws that a number belongs to; None if it belongs to all."""
     found = WITH.search(field["comment"])
     if not found:
-        return "", []
-    named = re.findall(r"HS_STIFFNESS_\w+", found[2])
-    kinds = next(group["constants"] for group in api["constants"] if group["group"] == "HS_STIFFNESS_")
-    names = [kind["name"] for kind in kinds]
-    return found[1], [name for name in names if (name in named) != (found[1] == "only")]
+        return None
+    return Belongs(found[1], re.findall(r"HS_STIFFNESS_\w+", found[2]), re.findall(r"(?!and\b)\b\w+", found[3] or ""))
 
 
 def of_flag(struct, field, yes, no):

@@ -1,4 +1,4 @@
-"""Fortran: constructors of the properties of materials and joints, whose missing arguments have the library's defaults."""
+"""Fortran: constructors of the properties of materials and joints."""
 import definitions
 import meanings
 from fortran import above, broken, with_comment
@@ -42,14 +42,15 @@ def write(api):
 def constructor(name, struct):
     fields = definitions.settings(struct)
     lines = broken(f"  function {name}({', '.join(field['name'] for field in fields)})", LONGEST_LINE)
+    given = []
     for field in fields:
         words = definitions.of_flag(struct, field, ".true.", ".false.")
-        lines += with_comment(f"    {type_of(struct, field)}, intent(in), optional :: {field['name']}", words, LONGEST_LINE)
-    lines += [f"    type(halfspace_{name}) :: {name}",
-              "    ! If its initialisation fails it keeps size 0, and is refused on use.",
-              f"    if (hs_{name}_def_init({name}, c_sizeof({name})) /= HS_OK) return"]
-    lines += [f"    if (present({field['name']})) {name}%{field['name']} = {value_of(struct, field)}" for field in fields]
-    return [*lines, f"  end function {name}"]
+        dummy = f"    {type_of(struct, field)}, intent(in), optional :: {field['name']}"
+        lines += with_comment(dummy, words, LONGEST_LINE)
+        given.append(f"    if (present({field['name']})) {name}%{field['name']} = {value_of(struct, field)}")
+    return [*lines, f"    type(halfspace_{name}) :: {name}",
+            "    ! If its initialisation fails it keeps size 0, and is refused on use.",
+            f"    if (hs_{name}_def_init({name}, c_sizeof({name})) /= HS_OK) return", *given, f"  end function {name}"]
 
 
 def type_of(struct, field):

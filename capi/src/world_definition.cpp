@@ -1,6 +1,7 @@
 #include <cstddef>
 
 #include "halfspace/definition.h"
+#include "law_numbers.h"
 #include "sized_struct.h"
 #include "strided_view.h"
 #include "world_handle.h"
@@ -35,14 +36,7 @@ hs_world_def as_given(const WorldSettings<D>& settings) {
 hs_law_def as_given(const ContactLaw& law) {
   hs_law_def def{};
   def.stiffness_kind = std::int32_t(law.stiffness_kind);
-  def.normal_stiffness = law.normal_stiffness;
-  def.shear_stiffness = law.given.shear_stiffness;
-  def.friction_angle = law.given.friction_angle;
-  def.cohesion = law.given.cohesion;
-  def.tensile_strength = law.given.tensile_strength;
-  def.normal_damping = law.normal_damping;
-  def.shear_damping = law.shear_damping;
-  def.restitution = law.restitution;
+  write_numbers(law.given, def);
   return def;
 }
 

@@ -1,8 +1,7 @@
 #include <cstddef>
-#include <numbers>
 
 #include "block_definition.h"
-#include "geometry/angle.h"
+#include "law_numbers.h"
 #include "pair_arguments.h"
 
 using namespace halfspace;
@@ -25,11 +24,8 @@ hs_world_def default_definition() {
 
 template <>
 hs_law_def default_definition() {
-  const ContactLaw defaults;
   hs_law_def def{};
-  def.normal_stiffness = defaults.normal_stiffness;
-  def.normal_damping = defaults.normal_damping;
-  def.shear_damping = defaults.shear_damping;
+  write_numbers({}, def);
   return def;
 }
 
@@ -88,33 +84,7 @@ ContactLaw read_law(const hs_law_def* given) {
     refuse(HS_ERROR_ARGUMENT, "law.stiffness_kind is %d; it must be an HS_STIFFNESS_ value",
            def.stiffness_kind);
   }
-  ContactLaw law;
-  law.stiffness_kind = StiffnessKind(def.stiffness_kind);
-  law.normal_stiffness = require_above_zero(def.normal_stiffness, "law.normal_stiffness");
-  law.shear_stiffness = require_from_zero(def.shear_stiffness, "law.shear_stiffness");
-  if (law.shear_stiffness == 0) law.shear_stiffness = law.normal_stiffness;
-  law.tan_friction =
-      tangent_of(require(def.friction_angle >= 0 && def.friction_angle < std::numbers::pi / 2,
-                         def.friction_angle, "law.friction_angle", "at least 0 and below pi/2"));
-  law.cohesion = require_from_zero(def.cohesion, "law.cohesion");
-  law.tensile_strength = require_from_zero(def.tensile_strength, "law.tensile_strength");
-  law.normal_damping = require_from_zero(def.normal_damping, "law.normal_damping");
-  law.shear_damping = require_from_zero(def.shear_damping, "law.shear_damping");
-  law.restitution = require(def.restitution >= 0 && def.restitution <= 1, def.restitution, "law.restitution",
-                            "at least 0 and at most 1");
-  law.given = {def.shear_stiffness, def.friction_angle, def.cohesion, def.tensile_strength};
-  if (law.restitution > 0 && (!law.has_no_spring() || law.bonds())) {
-    refuse(HS_ERROR_ARGUMENT,
-           "law.restitution is %g; it must be 0 unless stiffness_kind is HS_STIFFNESS_NONE and cohesion and "
-           "tensile_strength are 0",
-           law.restitution);
-  }
-  if (law.is_potential() && law.bonds()) {
-    refuse(HS_ERROR_ARGUMENT,
-           "law.cohesion is %g, law.tensile_strength is %g; both must be 0 with HS_STIFFNESS_POTENTIAL",
-           law.cohesion, law.tensile_strength);
-  }
-  return law;
+  return ContactLaw(StiffnessKind(def.stiffness_kind), read_numbers(def));
 }
 
 /// Refuses a share's first law of potentials without its length, where blocks have deformed since the share

@@ -1,25 +1,37 @@
 #include "force/law.h"
 
-#include <algorithm>
+#include <array>
+#include <bit>
 
+#include "geometry/angle.h"
 #include "geometry/numbers.h"
 
 namespace halfspace {
 
+namespace {
+
+bool are_consistent(const LawNumbers& numbers) {
+  using Values = std::array<double, sizeof numbers / sizeof(double)>;
+  return all(std::bit_cast<Values>(numbers), is_nonnegative) && numbers.normal_stiffness > 0 &&
+         numbers.restitution <= 1;
+}
+
+}  // namespace
+
+ContactLaw::ContactLaw(StiffnessKind kind, const LawNumbers& given)
+    : LawNumbers(given), stiffness_kind(kind), tan_friction(tangent_of(given.friction_angle)), given(given) {
+  if (shear_stiffness == 0) shear_stiffness = normal_stiffness;
+}
+
 bool ContactLaw::is_consistent() const {
   return stiffness_kind >= StiffnessKind::per_contact && stiffness_kind <= StiffnessKind::last &&
-         is_positive(normal_stiffness) && is_nonnegative(shear_stiffness) && is_nonnegative(tan_friction) &&
-         is_nonnegative(cohesion) && is_nonnegative(tensile_strength) && is_nonnegative(normal_damping) &&
-         is_nonnegative(shear_damping) && restitution >= 0 && restitution <= 1 &&
-         is_nonnegative(given.shear_stiffness) && is_nonnegative(given.friction_angle) &&
-         is_nonnegative(given.cohesion) && is_nonnegative(given.tensile_strength);
+         are_consistent(*this) && are_consistent(given) && is_nonnegative(tan_friction);
 }
 
 ContactLaw ContactLaw::weaker_by(double factor) const {
   ContactLaw weaker = *this;
   weaker.tan_friction /= factor;
-  weaker.cohesion /= factor;
-  weaker.tensile_strength /= factor;
+  for (double LawNumbers::*strength : strengths) weaker.*strength /= factor;
   return weaker;
 }
 

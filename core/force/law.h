@@ -32,29 +32,32 @@ void for_spring_kind(StiffnessKind kind, Visit visit) {
   });
 }
 
-/// Settings of a law as a host gave them, where the law itself has something else.
-struct LawAsGiven {
-  double shear_stiffness = 0;   // 0: as the normal one
-  double friction_angle = 0;    // rad; this and what follows: before division by the strength factor
-  double cohesion = 0;          // Pa
-  double tensile_strength = 0;  // Pa
-};
-
-/// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same
-/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4), where stiffness
-/// and damping are unused.
-struct ContactLaw {
-  StiffnessKind stiffness_kind = StiffnessKind::per_contact;
-  std::int32_t reserved = 0;      // explicit padding of saved laws
+/// The numbers of a law.
+struct LawNumbers {
   double normal_stiffness = 1e9;  // N/m, Pa/m or, for potentials, Pa
-  double shear_stiffness = 1e9;   // N/m or Pa/m; for potentials N/m
-  double tan_friction = 0;        // tangent of the friction angle
+  double shear_stiffness = 0;     // N/m or Pa/m; for potentials N/m; 0: as the normal one
+  double friction_angle = 0;      // rad
   double cohesion = 0;            // Pa, until failure
   double tensile_strength = 0;    // Pa, until failure
   double normal_damping = 0.1;    // ratio to critical; at 0, friction on springs excites vibrations
   double shear_damping = 0.1;     // ratio to critical, likewise
   double restitution = 0;         // without springs: velocity after an impact over that before
-  LawAsGiven given;               // no step reads it
+
+  /// Those that a strength factor divides, as it does the tangent of the friction angle.
+  static constexpr double LawNumbers::*strengths[] = {&LawNumbers::cohesion, &LawNumbers::tensile_strength};
+};
+
+/// A penalty law with Mohr-Coulomb friction (Wang et al. 2021, section 3), a potential law with the same
+/// friction (Zheng et al. 2020, section 3), or no spring at all (Li et al. 2015, section 4), where stiffness
+/// and damping are unused. Its numbers are those that steps read: a shear stiffness, and reduced strengths.
+struct ContactLaw : LawNumbers {
+  StiffnessKind stiffness_kind;
+  std::int32_t reserved = 0;  // explicit padding of saved laws
+  double tan_friction;        // tangent of the friction angle, reduced as the strengths
+  LawNumbers given;           // by the host
+
+  ContactLaw() : ContactLaw(StiffnessKind::per_contact, {}) {}
+  ContactLaw(StiffnessKind kind, const LawNumbers& given);
 
   bool has_no_spring() const { return stiffness_kind == StiffnessKind::none; }
   bool resists_shear() const {

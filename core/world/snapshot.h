@@ -18,7 +18,7 @@ class World;
 namespace snapshot {
 
 constexpr std::uint64_t magic = 0x31'77'70'73'66'6c'61'68;  // "halfspw1"
-constexpr std::uint32_t version = 35;
+constexpr std::uint32_t version = 36;
 
 /// FNV-1a, to detect damaged files.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {

@@ -294,7 +294,7 @@ module halfspace_c
     real(c_double) :: normal_damping = 0.0_c_double
     real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     !> coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
-    !! cohesion and tensile strength
+    !! cohesion and tensile_strength
     real(c_double) :: restitution = 0.0_c_double
   end type hs_law_def
 

@@ -62,7 +62,7 @@ contains
     !> damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     real(c_double), intent(in), optional :: shear_damping
     !> coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
-    !! cohesion and tensile strength
+    !! cohesion and tensile_strength
     real(c_double), intent(in), optional :: restitution
     !> an HS_STIFFNESS_ value; default HS_STIFFNESS_PER_CONTACT
     integer(c_int32_t), intent(in), optional :: stiffness_kind

@@ -372,7 +372,7 @@ class hs_law_def(_Struct):
         ("normal_damping", c_double),
         ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
         # coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
-        # cohesion and tensile strength
+        # cohesion and tensile_strength
         ("restitution", c_double),
     ]
 

@@ -43,7 +43,7 @@ class Law(Definition):
         damping ratio, >= 0; default 0.1; ignored with StiffnessKind.NONE
     restitution : float
         coefficient of restitution of rigid blocks, [0, 1]; default 0; only with StiffnessKind.NONE, without
-        cohesion and tensile strength
+        cohesion and tensile_strength
     stiffness_kind : StiffnessKind or its name
         a StiffnessKind; default StiffnessKind.PER_CONTACT
 

@@ -51,7 +51,7 @@ typedef struct hs_law_def {
                                  with HS_STIFFNESS_NONE */
   double shear_damping;     /**< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE */
   double restitution;       /**< coefficient of restitution of rigid blocks, [0, 1]; default 0; only with
-                                 HS_STIFFNESS_NONE, without cohesion and tensile strength */
+                                 HS_STIFFNESS_NONE, without cohesion and tensile_strength */
 } hs_law_def;
 
 /** @brief Fills a law with its defaults.

@@ -517,7 +517,7 @@ pub struct hs_law_def {
     /// damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     pub shear_damping: f64,
     /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; only with HS_STIFFNESS_NONE, without
-    /// cohesion and tensile strength
+    /// cohesion and tensile_strength
     pub restitution: f64,
 }
 const _: () = assert!(std::mem::size_of::<hs_law_def>() == 72);

@@ -96,7 +96,7 @@ impl Law {
     }
 
     /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; only with HS_STIFFNESS_NONE, without
-    /// cohesion and tensile strength
+    /// cohesion and tensile_strength
     pub fn restitution(mut self, restitution: f64) -> Self {
         self.raw.restitution = restitution;
         self
