@@ -1,4 +1,4 @@
-"""C++: the numbers of a contact law, as the C interface checks them."""
+"""C++: the numbers of a contact law, as the C interface checks them and as scenes have them."""
 import definitions
 import meanings
 
@@ -15,7 +15,17 @@ CAPI_HEAD = """\
 
 namespace halfspace::capi {{
 """
+SCENE_HEAD = """\
+// Generated {generated}.
+// clang-format off
+#pragma once
+
+#include "scene/read_values.h"
+
+namespace halfspace::cli {{
+"""
 TERMS = {"pi/2": "std::numbers::pi / 2"}
+IN_DEGREES = {"pi/2": "90"}
 
 
 def numbers(api):
@@ -51,3 +61,40 @@ def checks(field):
         lines += [f"  require({value} == 0 ||", f"              ({belongs.condition('def')}),",
                   f"          {value}, {name},", f'          "{belongs.words}");']
     return lines
+
+
+def write_scene(api):
+    fields = numbers(api)
+    lines = [*SCENE_HEAD.format_map(api).splitlines(), "",
+             "/// Reads the numbers that the law's kind of stiffness has. Missing keys keep their value, but a law that",
+             "/// does not inherit states those above 0.",
+             "inline void read_law_numbers(Keys& keys, hs_law_def& law, bool inherits) {",
+             "  const auto inherited = [&](double value) { return inherits ? std::optional(value) : required; };"]
+    for field in fields:
+        belongs = definitions.belongs(field)
+        lines += [f"  if ({belongs.condition('law')})"] if belongs else []
+        lines.append(("    " if belongs else "  ") + reading(field))
+    lines += ["}", "", "/// Sets the numbers to 0 that the kind of stiffness refuses.",
+              "inline void clear_refused_numbers(hs_law_def& law) {"]
+    for field in fields:
+        belongs = definitions.belongs(field)
+        if belongs and belongs.is_refused:
+            lines.append(f"  if (!({belongs.condition('law')})) law.{field['name']} = 0;")
+    return "\n".join([*lines, "}", "", "}  // namespace halfspace::cli", ""])
+
+
+def reading(field):
+    """The statement that reads a key; angles are in degrees."""
+    name, value = field["name"], f"law.{field['name']}"
+    is_angle = field["comment"].startswith("rad")
+    low, with_low, high, with_high = definitions.range_of(field)
+    if high is None:
+        limits = f"{'at_least' if with_low else 'above'}({low})"
+    else:
+        ends = [f".low = {low}", f".high = {IN_DEGREES[high] if is_angle else high}"]
+        ends += [".with_low = false"] * (not with_low) + [".with_high = false"] * (not with_high)
+        limits = f"{{{', '.join(ends)}}}"
+    if is_angle:
+        return f'{value} =\n      degrees(keys, "{name}", {limits}, {value} / degree);'
+    fallback = value if with_low else f"inherited({value})"
+    return f'{value} = keys.number("{name}", {limits}, {fallback});'

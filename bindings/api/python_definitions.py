@@ -12,7 +12,7 @@ HEAD = '''\
 from __future__ import annotations
 
 import dataclasses
-from typing import Union
+from typing import Dict, Union
 
 from . import _raw
 from ._definition import Definition
@@ -46,7 +46,7 @@ def dataclass(struct):
                   *wrapped(in_words(struct, field), "        ")]
     lines += ["", "    Examples", "    --------", f"    >>> {call}", f"    {result}", '    """', ""]
     lines += [f"    {field['name']}: {annotation_of(struct, field)} = {default_of(struct, field)}" for field in fields]
-    return [*lines, "", f"    def _as_struct(self) -> _raw.{struct['name']}:",
+    return [*lines, *belonging(fields), "", f"    def _as_struct(self) -> _raw.{struct['name']}:",
             f"        return self._filled(_raw.{struct['name']}(), library.{struct['name']}_init)"]
 
 
@@ -56,6 +56,20 @@ def in_words(struct, field):
     for prefix, (_, kind) in meanings.ENUMERATIONS.items():
         words = re.sub(rf"\b(an? )?{prefix}(?: value)?", lambda found: f"a {kind}" if found[1] else f"{kind}.", words)
     return words
+
+
+def belonging(fields):
+    """A function that says which numbers belong to some laws only."""
+    conditions = [(field["name"], definitions.belongs(field)) for field in fields if definitions.belongs(field)]
+    if not conditions:
+        return []
+    lines = []
+    for name, belongs in conditions:
+        condition = belongs.condition("self", "and", "or").replace("HS_STIFFNESS_", "StiffnessKind.")
+        lines.append(f'            "{name}": {condition.replace("self.stiffness_kind", "kind")},')
+    return ["", "    def _belongs(self) -> Dict[str, bool]:",
+            '        """Whether the numbers that some kinds of stiffness do not have belong to this law."""',
+            "        kind = self.stiffness_kind", "        return {", *lines, "        }"]
 
 
 def class_of(struct):

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/read_values.h"
+#include "scene/law_numbers.h"
 
 namespace halfspace::cli {
 namespace {
@@ -12,28 +12,10 @@ void read_law_values(Keys& keys, hs_law_def& law, bool is_whole) {
   const bool changes_kind = !is_whole && keys.has("stiffness");
   const std::optional<int> kind = is_whole ? std::nullopt : std::optional(law.stiffness_kind);
   law.stiffness_kind = keys.kind("stiffness", {law_names.begin(), law_names.end()}, kind);
-  const auto stiffness = [&](double inherited) {
-    // A stiffness in other units cannot be inherited from the default law.
-    return is_whole || changes_kind ? std::optional<double>() : inherited;
-  };
-  // Without a spring, stiffness and damping are unknown keys.
-  if (has_spring(law)) {
-    law.normal_stiffness = keys.number("normal_stiffness", above(0), stiffness(law.normal_stiffness));
-    law.shear_stiffness = keys.number("shear_stiffness", at_least(0), changes_kind ? 0 : law.shear_stiffness);
-  }
-  law.friction_angle = degrees(keys, "friction_angle", {.low = 0, .high = 90, .with_high = false},
-                               law.friction_angle / degree);
-  if (law.stiffness_kind == HS_STIFFNESS_POTENTIAL) {
-    law.cohesion = law.tensile_strength = 0;  // potentials have no cohesion
-  } else {
-    law.cohesion = keys.number("cohesion", at_least(0), law.cohesion);
-    law.tensile_strength = keys.number("tensile_strength", at_least(0), law.tensile_strength);
-  }
-  const bool rebounds = !has_spring(law) && law.cohesion == 0 && law.tensile_strength == 0;
-  law.restitution = rebounds ? keys.number("restitution", {.low = 0, .high = 1}, law.restitution) : 0;
-  if (!has_spring(law)) return;
-  law.normal_damping = keys.number("normal_damping", at_least(0), law.normal_damping);
-  law.shear_damping = keys.number("shear_damping", at_least(0), law.shear_damping);
+  // A stiffness in other units cannot be inherited from the default law.
+  if (changes_kind && has_spring(law)) law.shear_stiffness = 0;
+  read_law_numbers(keys, law, !is_whole && !changes_kind);
+  clear_refused_numbers(law);
 }
 
 /// The law between two materials among those of pairs; empty if they follow the default law.

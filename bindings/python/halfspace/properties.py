@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Union
+from typing import Dict, Union
 
 from . import _raw
 from ._definition import Definition
@@ -62,6 +62,19 @@ class Law(Definition):
     shear_damping: float = 0.1
     restitution: float = 0.0
     stiffness_kind: Union[StiffnessKind, str] = StiffnessKind.PER_CONTACT
+
+    def _belongs(self) -> Dict[str, bool]:
+        """Whether the numbers that some kinds of stiffness do not have belong to this law."""
+        kind = self.stiffness_kind
+        return {
+            "normal_stiffness": kind != StiffnessKind.NONE,
+            "shear_stiffness": kind != StiffnessKind.NONE,
+            "cohesion": kind != StiffnessKind.POTENTIAL,
+            "tensile_strength": kind != StiffnessKind.POTENTIAL,
+            "normal_damping": kind != StiffnessKind.NONE,
+            "shear_damping": kind != StiffnessKind.NONE,
+            "restitution": kind == StiffnessKind.NONE and self.cohesion == 0 and self.tensile_strength == 0,
+        }
 
     def _as_struct(self) -> _raw.hs_law_def:
         return self._filled(_raw.hs_law_def(), library.hs_law_def_init)

@@ -15,22 +15,16 @@ if TYPE_CHECKING:
 
 _KIND_NAMES = {BlockKind.RIGID: "rigid", BlockKind.AFFINE: "affine", BlockKind.FIXED: "fixed",
                BlockKind.PRESCRIBED: "prescribed"}
-_OF_SPRINGS = ("normal_stiffness", "shear_stiffness", "normal_damping", "shear_damping")
 
 
 def _law_keys(law: Law) -> Dict[str, Any]:
-    """The keys of a law; those that its kind has no use for are unknown to scenes."""
+    """The keys of a law. Scenes do not know those that do not belong to its kind."""
     keys = dataclasses.asdict(law)
     kind = StiffnessKind(keys.pop("stiffness_kind"))
     keys["friction_angle"] = math.degrees(law.friction_angle)
-    has_springs = kind != StiffnessKind.NONE
-    if has_springs or law.cohesion > 0 or law.tensile_strength > 0:
-        del keys["restitution"]
-    if not has_springs:
-        keys = {key: value for key, value in keys.items() if key not in _OF_SPRINGS}
-    if kind == StiffnessKind.POTENTIAL:
-        del keys["cohesion"], keys["tensile_strength"]
-    return {"stiffness": kind.name.lower().replace("_", " "), **keys}
+    belongs = law._belongs()
+    return {"stiffness": kind.name.lower().replace("_", " "),
+            **{name: value for name, value in keys.items() if belongs.get(name, True)}}
 
 
 def _material_tables(world: "World") -> List[Dict[str, Any]]:

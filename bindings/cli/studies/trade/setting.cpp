@@ -7,7 +7,7 @@
 #include "common/random.h"
 #include "common/text.h"
 #include "common/vector.h"
-#include "scene/read_values.h"
+#include "scene/law_numbers.h"
 
 namespace halfspace::cli {
 namespace {
@@ -35,11 +35,10 @@ void change_kind(hs_law_def& law, int kind, const FaceSize& face) {
   const double shear_of_face =
       had_none ? face.stiffness : shear * shear_per_face(law.stiffness_kind, face.area);
   law.stiffness_kind = kind;
+  clear_refused_numbers(law);
   if (kind == HS_STIFFNESS_NONE) return;  // it reads neither stiffnesses nor dampings
-  law.restitution = 0;                    // not allowed with springs
   law.normal_stiffness = normal_of_face / normal_per_face(kind, face.area, face.potential_length);
   law.shear_stiffness = shear_of_face / shear_per_face(kind, face.area);
-  if (kind == HS_STIFFNESS_POTENTIAL) law.cohesion = law.tensile_strength = 0;
 }
 
 void apply(hs_law_def& law, const Setting& setting, const FaceSize& face) {
