@@ -12,16 +12,19 @@ namespace halfspace {
 /// The reference of a stiffness. The values are those of the C API.
 enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none, last = none };
 
-/// A kind with springs, as a constant.
+/// The kinds with springs.
+#define HALFSPACE_SPRING_KINDS(VISIT) VISIT(per_contact) VISIT(per_area) VISIT(potential)
+
+/// One of them, as a constant.
 template <StiffnessKind kind>
 using SpringKind = std::integral_constant<StiffnessKind, kind>;
 
 /// Calls `visit(kind)` for each kind with springs.
 template <class Visit>
 void for_each_spring_kind(Visit visit) {
-  visit(SpringKind<StiffnessKind::per_contact>());
-  visit(SpringKind<StiffnessKind::per_area>());
-  visit(SpringKind<StiffnessKind::potential>());
+#define HALFSPACE_VISIT(KIND) visit(SpringKind<StiffnessKind::KIND>());
+  HALFSPACE_SPRING_KINDS(HALFSPACE_VISIT)
+#undef HALFSPACE_VISIT
 }
 
 /// Calls `visit(kind)` for one of them.

@@ -197,15 +197,10 @@ bool ContactList<D>::is_consistent() const {
 template class ContactList<2>;
 template class ContactList<3>;
 
-#define HALFSPACE_FIND(D, KIND) \
-  template Found ContactList<D>::find<StiffnessKind::KIND>(std::size_t, Contact<D>&, PairSums&);
-#define HALFSPACE_FINDS(D)       \
-  HALFSPACE_FIND(D, per_contact) \
-  HALFSPACE_FIND(D, per_area)    \
-  HALFSPACE_FIND(D, potential)
-HALFSPACE_FINDS(2)
-HALFSPACE_FINDS(3)
-#undef HALFSPACE_FINDS
+#define HALFSPACE_FIND(KIND)                                                                     \
+  template Found ContactList<2>::find<StiffnessKind::KIND>(std::size_t, Contact<2>&, PairSums&); \
+  template Found ContactList<3>::find<StiffnessKind::KIND>(std::size_t, Contact<3>&, PairSums&);
+HALFSPACE_SPRING_KINDS(HALFSPACE_FIND)
 #undef HALFSPACE_FIND
 
 }  // namespace halfspace

@@ -279,15 +279,10 @@ double ForcePass<D>::dashpot_power(std::size_t i) const {
 template class ForcePass<2>;
 template class ForcePass<3>;
 
-#define HALFSPACE_LOAD(D, KIND) \
-  template void ForcePass<D>::load<StiffnessKind::KIND>(std::size_t, const Contact<D>&, Evaluation&);
-#define HALFSPACE_LOADS(D)       \
-  HALFSPACE_LOAD(D, per_contact) \
-  HALFSPACE_LOAD(D, per_area)    \
-  HALFSPACE_LOAD(D, potential)
-HALFSPACE_LOADS(2)
-HALFSPACE_LOADS(3)
-#undef HALFSPACE_LOADS
+#define HALFSPACE_LOAD(KIND)                                                                          \
+  template void ForcePass<2>::load<StiffnessKind::KIND>(std::size_t, const Contact<2>&, Evaluation&); \
+  template void ForcePass<3>::load<StiffnessKind::KIND>(std::size_t, const Contact<3>&, Evaluation&);
+HALFSPACE_SPRING_KINDS(HALFSPACE_LOAD)
 #undef HALFSPACE_LOAD
 
 }  // namespace halfspace
