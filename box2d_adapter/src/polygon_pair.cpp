@@ -49,7 +49,7 @@ Face PolygonPair::preferred_to(const Face& largest, int deepest, const Placement
 /// Testing one face is cheaper than a search over all, and a separating face mostly separates in the next
 /// step, too.
 bool PolygonPair::is_known(const Placement& b_from_a) {
-  const double change = proof_.most_change(b_from_a);
+  const double change = proof_.max_change(b_from_a);
   if (in_contact_) return proof_.still_at_same_face(change, radii_);
   if (proof_.still_separated(change, radii_)) return true;
   const double gap = gap_at(face_, b_from_a);

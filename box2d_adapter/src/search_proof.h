@@ -23,7 +23,7 @@ class SearchProof {
   /// Upper bound of the change of a gap. A rotation displaces a point by its radius times the chord of the
   /// angle, the norm of the change of (cosine, sine), here the 1-norm. In the frame of b, a also moves with
   /// the rotation of b, about the centroid of b.
-  double most_change(const Placement& now) const {
+  double max_change(const Placement& now) const {
     const double chord =
         std::abs(now.turn.cosine - at_.turn.cosine) + std::abs(now.turn.sine - at_.turn.sine);
     const Vector moved = now.shift - at_.shift;

@@ -62,7 +62,7 @@ void require_mass(double mass, const Inertia<D>& inertia, const ArgumentName& na
   refuse(HS_ERROR_ARGUMENT,
          "%s and def.material give a mass of %g and a moment of inertia of %g; the mass must be from %g to "
          "%g, the moment of inertia at most %g",
-         NameText(name).characters, mass, inertia.least_moment(), least_mass, largest_mass, largest_inertia);
+         NameText(name).characters, mass, inertia.min_moment(), min_mass, largest_mass, largest_inertia);
 }
 
 }  // namespace halfspace::capi

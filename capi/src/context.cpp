@@ -13,7 +13,7 @@ using namespace halfspace::capi;
 namespace halfspace::capi {
 namespace {
 
-constexpr int most_threads = 256;
+constexpr int max_threads = 256;
 
 }  // namespace
 
@@ -93,7 +93,7 @@ hs_status hs_context_create(const hs_context_def* def, hs_context** context) {
     const hs_context_def known = def ? read_definition(def, "def") : default_definition<hs_context_def>();
     if (!known.allocate != !known.release)
       refuse(HS_ERROR_ARGUMENT, "def.allocate or def.release is NULL; set both or neither");
-    require(known.threads >= 1 && known.threads <= most_threads, known.threads, "threads", "from 1 to 256");
+    require(known.threads >= 1 && known.threads <= max_threads, known.threads, "threads", "from 1 to 256");
     HostMemory memory(known);
     *context = create_in<hs_context>(memory, known);
     return HS_OK;

@@ -77,16 +77,16 @@ namespace {
   });
 }
 
-/// hs_pair_detect() without cache and options, for polygons within most_combinations. The path of separated
+/// hs_pair_detect() without cache and options, for polygons within max_combinations. The path of separated
 /// polygons needs no guard, as nothing on it throws.
-template <int most_vertices>
+template <int max_vertices>
 [[gnu::always_inline]] inline hs_status detect_cold(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
                                                     const hs_pose& at_b, hs_contact* contact) {
   const PosedPair<2> posed = posed_as<2>(a, at_a, b, at_b);
   if (!are_tolerable<2>(posed.at_a, posed.at_b))
     return detect_guarded(&a, &at_a, &b, &at_b, nullptr, nullptr, contact);
   const Frames<2> frames = frames_of<2>(posed.at_a, posed.at_b);
-  const Separation<2> found = find_separation_of_few<most_vertices>(posed, frames.seen);
+  const Separation<2> found = find_separation_of_few<max_vertices>(posed, frames.seen);
   if (found.gap > 0) {
     write_contact(contact_at(found, ContactType::none, posed, frames.turns), *contact);
     return HS_OK;
@@ -97,10 +97,10 @@ template <int most_vertices>
 }
 
 /// Likewise, not inlined: the call is cheap compared with the vertices.
-template <int most_vertices>
+template <int max_vertices>
 [[gnu::noinline]] hs_status detect_cold_by_call(const hs_shape& a, const hs_pose& at_a, const hs_shape& b,
                                                 const hs_pose& at_b, hs_contact* contact) {
-  return detect_cold<most_vertices>(a, at_a, b, at_b, contact);
+  return detect_cold<max_vertices>(a, at_a, b, at_b, contact);
 }
 
 /// hs_pair_detect() with a cache and without options, unless both shapes are polygons. It is a function of
@@ -134,8 +134,8 @@ hs_status hs_pair_detect(const hs_shape* shape_a, const hs_pose* pose_a, const h
       return detect_cold<3>(*shape_a, *pose_a, *shape_b, *pose_b, contact);
     } else if (m <= 4 && n <= 4) {
       return detect_cold_by_call<4>(*shape_a, *pose_a, *shape_b, *pose_b, contact);
-    } else if (m * n <= most_combinations) {
-      return detect_cold_by_call<most_combinations>(*shape_a, *pose_a, *shape_b, *pose_b, contact);
+    } else if (m * n <= max_combinations) {
+      return detect_cold_by_call<max_combinations>(*shape_a, *pose_a, *shape_b, *pose_b, contact);
     }
   }
   return detect_guarded(shape_a, pose_a, shape_b, pose_b, options, cache, contact);

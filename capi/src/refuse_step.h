@@ -37,7 +37,7 @@ void require_stepped(World<D>& w, StepResult result) {
   if (result == StepResult::interrupted)
     refuse(HS_ERROR_INTERRUPTED, "the host has interrupted step %lld at time %g", steps, time);
   if (result == StepResult::overworked) {
-    const PressedPair pair = state.hard_contacts.most_pressed();
+    const PressedPair pair = state.hard_contacts.deepest_pressed();
     refuse(HS_ERROR_UNSTABLE,
            "unstable at time %g (step %lld): the step has been divided into %d parts or %lld iterations; the "
            "largest contact force, %g N, is between blocks %#llx and %#llx; reduce the time step %g",

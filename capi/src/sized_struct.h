@@ -12,7 +12,7 @@ namespace halfspace::capi {
 /// Upper bound of the size of any struct of any version.
 constexpr std::size_t largest_struct = 1u << 16;
 /// Lower bound of the size of any definition: those of all versions begin with their size and one more field.
-constexpr std::size_t least_definition = 2 * sizeof(std::uint32_t);
+constexpr std::size_t min_definition = 2 * sizeof(std::uint32_t);
 
 /// Fills a struct of the caller's version, which follows from its size: copies the fields that both versions
 /// have, and sets fields of a later version to 0.
@@ -39,7 +39,7 @@ Definition default_definition();
 template <class Definition>
 Definition read_definition(const Definition* given, const char* name) {
   require_pointer(given, name);
-  if (given->struct_size < least_definition || given->struct_size > largest_struct) {
+  if (given->struct_size < min_definition || given->struct_size > largest_struct) {
     refuse(HS_ERROR_ARGUMENT, "%s.struct_size is %u; fill the definition with its init function", name,
            given->struct_size);
   }
@@ -53,7 +53,7 @@ Definition read_definition(const Definition* given, const char* name) {
 /// has.
 template <class Definition>
 hs_status write_definition(Definition* def, std::size_t size) {
-  if (!def || size < least_definition || size > largest_struct) return HS_ERROR_ARGUMENT;
+  if (!def || size < min_definition || size > largest_struct) return HS_ERROR_ARGUMENT;
   Definition defaults = default_definition<Definition>();
   defaults.struct_size = static_cast<std::uint32_t>(size);
   write_sized(defaults, def, size);

@@ -72,7 +72,7 @@ hs_action_def as_given(const Action<D>& action, const Blocks<D>& blocks) {
 template <class Definition>
 hs_status write_given(Definition given, Definition* out, std::size_t size, const char* name) {
   require_pointer(out, name);
-  require_report_size(size, least_definition);
+  require_report_size(size, min_definition);
   given.struct_size = std::uint32_t(size);
   write_sized(given, out, size);
   return HS_OK;
@@ -144,7 +144,7 @@ hs_status hs_world_get_actions(const hs_world* world, hs_block block, hs_action_
                                int64_t capacity, int64_t* count) {
   return with_world(world, __func__, [&]<int D>(const World<D>& w) {
     const std::int32_t slot = block == 0 ? -1 : slot_of(w.blocks(), block, "block");
-    require_report_size(size, least_definition);
+    require_report_size(size, min_definition);
     require_count(capacity, "capacity");
     if (capacity > 0) require_pointer(actions, "actions");
     std::int64_t found = 0;

@@ -23,17 +23,17 @@ T entry_of_none(const Array<T>&) {
 }
 
 Box<2> box_of(const Outline<2>& o) {
-  const auto [least_x, most_x] = std::minmax_element(o.x, o.x + o.count);
-  const auto [least_y, most_y] = std::minmax_element(o.y, o.y + o.count);
-  return {{*least_x, *least_y}, {*most_x, *most_y}};
+  const auto [min_x, max_x] = std::minmax_element(o.x, o.x + o.count);
+  const auto [min_y, max_y] = std::minmax_element(o.y, o.y + o.count);
+  return {{*min_x, *min_y}, {*max_x, *max_y}};
 }
 
 Box<3> box_of(const Outline<3>& o) {
   const int count = o.vertex_count();
-  const auto [least_x, most_x] = std::minmax_element(o.x, o.x + count);
-  const auto [least_y, most_y] = std::minmax_element(o.y, o.y + count);
-  const auto [least_z, most_z] = std::minmax_element(o.z, o.z + count);
-  return {{*least_x, *least_y, *least_z}, {*most_x, *most_y, *most_z}};
+  const auto [min_x, max_x] = std::minmax_element(o.x, o.x + count);
+  const auto [min_y, max_y] = std::minmax_element(o.y, o.y + count);
+  const auto [min_z, max_z] = std::minmax_element(o.z, o.z + count);
+  return {{*min_x, *min_y, *min_z}, {*max_x, *max_y, *max_z}};
 }
 
 }  // namespace
@@ -334,7 +334,7 @@ std::int32_t Blocks<D>::containing(const Vector<D>& place) const {
 }
 
 template <int D>
-std::size_t Blocks<D>::most_edges() const {
+std::size_t Blocks<D>::max_edges() const {
   int most = 0;
   for (std::size_t slot = 0; slot < slot_count(); ++slot) {
     if (lives(slot)) most = std::max(most, outline(std::int32_t(slot)).edge_count());
@@ -343,7 +343,7 @@ std::size_t Blocks<D>::most_edges() const {
 }
 
 template <int D>
-std::size_t Blocks<D>::most_components() const {
+std::size_t Blocks<D>::max_components() const {
   std::size_t most = 0;
   for (std::size_t slot = 0; slot < slot_count(); ++slot) {
     if (lives(slot)) most = std::max(most, component_count(own_outline(std::int32_t(slot))));

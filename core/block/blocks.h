@@ -206,9 +206,9 @@ class Blocks {
   /// The block in which a place is deepest; -1 if it is outside of all.
   std::int32_t containing(const Vector<D>& place) const;
   /// The maximum number of edges of a block.
-  std::size_t most_edges() const;
+  std::size_t max_edges() const;
   /// The maximum number of doubles in the outline of a block.
-  std::size_t most_components() const;
+  std::size_t max_components() const;
   /// The reduced mass of two blocks, at least one of which moves freely.
   double reduced_mass(std::size_t a, std::size_t b) const {
     const auto inverse = [&](std::size_t i) { return moves_freely(i) ? 1 / mass[mover_of(i)] : 0; };

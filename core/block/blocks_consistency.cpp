@@ -39,7 +39,7 @@ bool Blocks<D>::is_consistent(std::int32_t material_count) const {
     const bool has_momentum = is_deformable(i) || all_finite(momentum[i]);
     const bool moves = all_finite(velocity[i]) && all_finite(spin[i]) && has_momentum;
     const bool is_driven = all_finite(applied_force[i]) && all_finite(applied_torque[i]);
-    const bool resists = is_positive(mass[i]) && is_positive(inertia[i].least_moment());
+    const bool resists = is_positive(mass[i]) && is_positive(inertia[i].min_moment());
     if (!(is_placed && moves && is_driven && resists)) return false;
     if (held[i] >= 2 << D || (held[i] != 0 && kind[i] != BlockKind::rigid)) return false;
     if (!is_positive(radius[i]) || !is_finite(thickness[i])) return false;

@@ -19,13 +19,13 @@ double strain_mobility_of(const Outline<D>& own, const Tensor<D>& inverse_mass_m
 }
 
 /// The smallest eigenvalue of a symmetric tensor; in 2D the determinant divided by the largest eigenvalue.
-double least_eigenvalue(const Tensor<2>& t) {
+double min_eigenvalue(const Tensor<2>& t) {
   const double mean = 0.5 * (t(0, 0) + t(1, 1));
   const double difference = 0.5 * (t(0, 0) - t(1, 1)) / mean, across = t(0, 1) / mean;
   const double largest = mean * (1 + std::sqrt(difference * difference + across * across));
   return t(0, 0) * (t(1, 1) / largest) - t(0, 1) * (t(0, 1) / largest);
 }
-double least_eigenvalue(const Tensor<3>& t) {
+double min_eigenvalue(const Tensor<3>& t) {
   return Eigen::SelfAdjointEigenSolver<Tensor<3>>(t, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
@@ -48,7 +48,7 @@ Deformation<D> undeformed(const Shape<D>& shape, double density, std::int32_t sl
   deformation.volume = mass_of(shape, 1);
   deformation.mass_matrix = density * second_moment_of(shape);
   deformation.inverse_mass_matrix = inverse_of<D>(deformation.mass_matrix);
-  deformation.least_moment = least_eigenvalue(deformation.mass_matrix);
+  deformation.min_moment = min_eigenvalue(deformation.mass_matrix);
   deformation.strain_mobility = strain_mobility_of(shape.outline(), deformation.inverse_mass_matrix);
   return deformation;
 }

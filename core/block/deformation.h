@@ -41,7 +41,7 @@ struct Deformation {
   std::int32_t slot = -1;  // of the block
   std::int32_t reserved = 0;
   double volume = 0;           // of the shape
-  double least_moment = 0;     // of the mass matrix
+  double min_moment = 0;       // of the mass matrix
   double strain_mobility = 0;  // largest inverse effective mass over the points, minus 1 / mass
   Tensor<D> gradient = Tensor<D>::Identity();
   Tensor<D> rate = Tensor<D>::Zero();          // of the gradient
@@ -57,7 +57,7 @@ struct Deformation {
 
   /// False for data of a damaged snapshot.
   bool is_consistent() const {
-    return is_positive(volume) && is_positive(least_moment) && is_positive(strain_mobility) &&
+    return is_positive(volume) && is_positive(min_moment) && is_positive(strain_mobility) &&
            all_finite(gradient) && gradient.determinant() > 0 && all_finite(rate);
   }
 

@@ -14,7 +14,7 @@ inline double mass_of(const Shape<3>& shape, double density) { return density * 
 
 // Bounds of masses and moments of inertia: within them neither these nor their products with velocities
 // overflow or underflow.
-constexpr double least_mass = 1e-300, least_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
+constexpr double min_mass = 1e-300, min_inertia = 1e-300, largest_mass = 1e150, largest_inertia = 1e300;
 
 /// A moment or tensor of inertia in the frame of the world.
 template <int D>
@@ -36,7 +36,7 @@ struct Inertia<2> {
   Angular<2> momentum(const Angular<2>& spin, const Rotation<2>&) const { return moment * spin; }
   Angular<2> spin(const Angular<2>& momentum, const Rotation<2>&) const { return momentum / moment; }
   InertiaTensor<2> inverse(const Rotation<2>&) const { return InertiaTensor<2>(1 / moment); }
-  double least_moment() const { return moment; }
+  double min_moment() const { return moment; }
   /// The largest inverse effective mass at a point of the shape due to rotation.
   double yield_at(const Vector<2>& arm) const { return arm.squaredNorm() / moment; }
 };
@@ -68,7 +68,7 @@ struct Inertia<3> {
     const Tensor<3> turned = (rotation * axes).tensor();
     return turned * moments.cwiseInverse().asDiagonal() * turned.transpose();
   }
-  double least_moment() const { return moments.minCoeff(); }
+  double min_moment() const { return moments.minCoeff(); }
   /// The largest eigenvalue of X I^-1 X^T, with X the cross product matrix of the arm. X has rank 2, so its
   /// sum and product of eigenvalues suffice.
   double yield_at(const Vector<3>& arm) const {
@@ -91,8 +91,8 @@ inline InertiaTensor<3> inertia_of_point(double mass, const Vector<3>& arm) {
 /// For the smallest principal moment.
 template <int D>
 bool is_within_bounds(double mass, const Inertia<D>& inertia) {
-  const double moment = inertia.least_moment();
-  return mass >= least_mass && mass <= largest_mass && moment >= least_inertia && moment <= largest_inertia;
+  const double moment = inertia.min_moment();
+  return mass >= min_mass && mass <= largest_mass && moment >= min_inertia && moment <= largest_inertia;
 }
 
 }  // namespace halfspace

@@ -105,11 +105,11 @@ bool still_separated(const Outline<D>& a, const Outline<D>& b, const Vector<D>& 
 /// the cached one; without history the given one, of minimum depth (section 2.5).
 template <int D>
 void remember_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
-                      const PotentialPair<D>& least_depth, PairCache<D>& witness) {
+                      const PotentialPair<D>& min_depth, PairCache<D>& witness) {
   if (witness.state == PairCache<D>::separated) {
     witness.pair = descend(a, b, to_b, initial_pair(a, b, to_b, witness));
   } else {
-    if (witness.state != PairCache<D>::touching) witness.pair = least_depth;
+    if (witness.state != PairCache<D>::touching) witness.pair = min_depth;
     refresh(a, b, to_b, witness.pair);
   }
   witness.state = PairCache<D>::touching;
@@ -126,9 +126,9 @@ void describe_contact(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
 
 template <int D>
 void describe_overlap(const Seen<D>& a, const Seen<D>& b, const Vector<D>& to_b,
-                      const PotentialPair<D>& least_depth, const DetectOptions& options,
-                      PairCache<D>& witness, Contact<D>& contact) {
-  remember_contact(a, b, to_b, least_depth, witness);
+                      const PotentialPair<D>& min_depth, const DetectOptions& options, PairCache<D>& witness,
+                      Contact<D>& contact) {
+  remember_contact(a, b, to_b, min_depth, witness);
   describe_contact(a, b, to_b, witness, options, contact);
 }
 

@@ -74,7 +74,7 @@ class MovingPair {
     const auto [first, last] = when_within_reach();
     if (first > last) return {};
     if (first > 0) impact = look_at(now.time = first);
-    for (int rounds = most_rounds; rounds > 0 && impact.gap > rounding_; --rounds) {
+    for (int rounds = max_rounds; rounds > 0 && impact.gap > rounding_; --rounds) {
       const Look next = advance({now.time, impact.gap}, impact, last);
       if (next.time >= last) return {};
       if (next.time <= now.time) break;
@@ -84,8 +84,8 @@ class MovingPair {
   }
 
  private:
-  static constexpr int most_rounds = 256;
-  static constexpr int most_looks = 64;
+  static constexpr int max_rounds = 256;
+  static constexpr int max_looks = 64;
 
   struct Span {
     double first;
@@ -162,7 +162,7 @@ class MovingPair {
     const auto look = [&](double time) { return Look{time, gap_along(turning, time) - rounding}; };
     Look low = look(start.time);
     double closing = 0;
-    for (int looks = most_looks; looks > 0 && low.gap > 0; --looks) {
+    for (int looks = max_looks; looks > 0 && low.gap > 0; --looks) {
       double span = last - low.time;
       if (bend > 0) span = std::min(span, 1.5 * std::sqrt(4 * low.gap / bend));
       if (closing > 0) span = std::min(span, low.gap / closing);

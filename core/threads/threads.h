@@ -40,7 +40,7 @@ inline std::size_t chunk_count(std::size_t things, std::size_t per_chunk) {
 class ChunkQueue {
  public:
   ChunkQueue(std::size_t chunks, std::size_t workers)
-      : chunks_(chunks), ranges_(std::min({workers, chunks / 2, most_ranges})) {}
+      : chunks_(chunks), ranges_(std::min({workers, chunks / 2, max_ranges})) {}
 
   /// Calls `visit(index)` for chunks not yet taken, until none is left to it or visit returns false.
   template <class Visit>
@@ -59,14 +59,14 @@ class ChunkQueue {
   }
 
  private:
-  static constexpr std::size_t most_ranges = 16;
+  static constexpr std::size_t max_ranges = 16;
   struct alignas(64) Taken {  // one cache line each
     std::atomic<std::size_t> count = 0;
   };
 
   std::size_t chunks_;
   std::size_t ranges_;
-  std::array<Taken, most_ranges> taken_;
+  std::array<Taken, max_ranges> taken_;
 };
 
 /// Calls `visit(chunk)` for all chunks of an array. The chunks do not depend on the number of threads: sums

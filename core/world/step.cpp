@@ -80,7 +80,7 @@ void World<D>::look_for_sleep() {
   if (clock.steps() % steps_between_looks != 0) return;
   const auto touches = [&](auto visit) { state_.for_each_touch(visit); };
   const auto bound_of = [&](std::size_t i) { return state_.integrator.speed_bound_with_impulses_of(i); };
-  state_.sleep.look(model, touches, clock.time(), least_sleep_in_steps * clock.time_step(), bound_of);
+  state_.sleep.look(model, touches, clock.time(), min_sleep_in_steps * clock.time_step(), bound_of);
 }
 
 /// One motion, or several where fast blocks divide the step. A step that would take too many, or too many

@@ -337,19 +337,19 @@ TEST_CASE(
     const int sides_of_a = 20 + int(random() % 60), sides_of_b = 20 + int(random() % 60);
     const double turn_of_a = uniform_between(random, 0, 1), turn_of_b = uniform_between(random, 0, 1);
     const Points3 of_a = corners(sides_of_a, 0.7, turn_of_a), of_b = corners(sides_of_b, 0.77, turn_of_b);
-    double least_depth = HUGE_VAL;  // across the middle of a side of either
+    double min_depth = HUGE_VAL;  // across the middle of a side of either
     for (const auto& [sides, turn] : {std::pair(sides_of_a, turn_of_a), std::pair(sides_of_b, turn_of_b)})
       for (int side = 0; side < sides; ++side) {
         const double angle = turn + 6.283185307179586 * (side + 0.5) / sides;
         for (const double sense : {1.0, -1.0}) {
           const Point3 n{sense * std::cos(angle), sense * std::sin(angle), 0};
-          least_depth = std::min(least_depth, reach(of_a, n) + reach(of_b, {-n.x, -n.y, 0}));
+          min_depth = std::min(min_depth, reach(of_a, n) + reach(of_b, {-n.x, -n.y, 0}));
         }
       }
     const Pair pair{column(of_a, 2), column(of_b, 3), pose_at(0, 0), pose_at(0, 0)};
     INFO(sides_of_a << " and " << sides_of_b << " sides");
-    CHECK(-pair.detect().gap == Approx(least_depth).epsilon(1e-12));
-    CHECK(-pair.detect_swapped().gap == Approx(least_depth).epsilon(1e-12));
+    CHECK(-pair.detect().gap == Approx(min_depth).epsilon(1e-12));
+    CHECK(-pair.detect_swapped().gap == Approx(min_depth).epsilon(1e-12));
   }
 }
 

@@ -162,7 +162,7 @@ void check_mass_matrix() {
     CHECK((deformation.mass_matrix - expected).norm() <= 1e-13 * expected.norm());
     CHECK(deformation.volume == Approx(content_of(shape.outline())).epsilon(1e-13));
     const Eigen::JacobiSVD<Eigen::MatrixXd> parts(expected);
-    CHECK(deformation.least_moment == Approx(parts.singularValues()[D - 1]).epsilon(1e-12));
+    CHECK(deformation.min_moment == Approx(parts.singularValues()[D - 1]).epsilon(1e-12));
     // Accelerations of points by forces on them: none more than the mobility, and one as much.
     double most = 0;
     for (int v = 0; v < vertex_count(shape.outline()); ++v) {

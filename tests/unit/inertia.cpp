@@ -29,7 +29,7 @@ TEST_CASE("of a box: mass and a twelfth of its sides' squares") {
   CHECK(mass_of(shape, density) == Approx(density * 6).epsilon(1e-15));
   // Principal moments in ascending order: about the longest side first.
   CHECK(inertia.moments.isApprox(twelfth * Vector<3>(1 + 4, 1 + 9, 4 + 9), 1e-15));
-  CHECK(inertia.least_moment() == inertia.moments[0]);
+  CHECK(inertia.min_moment() == inertia.moments[0]);
   for (int k = 0; k < 3; ++k) CHECK(std::abs(inertia.axes.axis(k)[2 - k]) == Approx(1).epsilon(1e-15));
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("principal moments and axes are those of the shape's inertia") {
     // The eigenvalues are exact to a few roundings of the largest.
     CHECK((tensor_of(inertia) - expected).norm() < 32 * 0x1p-52 * expected.norm());
     CHECK(matrix_of(inertia.axes).determinant() == Approx(1).epsilon(1e-14));
-    CHECK(inertia.least_moment() == inertia.moments[0]);
+    CHECK(inertia.min_moment() == inertia.moments[0]);
 
     // What momentum and spin are of one another, and by definition.
     const Rotation<3> rotation = random_turn(random);

@@ -29,9 +29,9 @@ Points regular_polygon(int count, double radius, double phase) {
   return points;
 }
 
-Points random_polygon(Random& random, int most_vertices, double radius) {
+Points random_polygon(Random& random, int max_vertices, double radius) {
   Points points;
-  const int count = random.integer(3, most_vertices);
+  const int count = random.integer(3, max_vertices);
   for (int i = 0; i < 2 * count; ++i) {
     const double angle = random.uniform(0, 2 * std::numbers::pi);
     const double r = radius * random.uniform(0.7, 1);

@@ -31,7 +31,7 @@ Tensor<D> random_tensor(Random& random) {
 
 Points regular_polygon(int count, double radius, double phase = 0);
 /// Hull of random points on a jittered circle.
-Points random_polygon(Random& random, int most_vertices, double radius);
+Points random_polygon(Random& random, int max_vertices, double radius);
 Points rectangle(double width, double height, const Vector<2>& center = {0, 0});
 Shape<2> shape_of(const Points& points);
 

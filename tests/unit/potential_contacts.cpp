@@ -112,13 +112,13 @@ TEST_CASE("a contact of potentials is described where it is least deep, however 
       // Read now and then, not in every step.
       if (step % 10 != 0) continue;
       const Contact<3> contact = two.world.state().contacts.contact(0);
-      const Separation<3> least_deep =
+      const Separation<3> shallowest =
           pair_of_largest_gap(dome.outline(), grain.outline(), Vector<3>(distance * way));
       // Deeper where it is of a face beside edges that pass each other beyond their ends, or beside a tilted
       // region that is followed: by the cosine of the angle to which that may be.
       const double cosine = std::cos(DetectOptions().region_angle());
-      CHECK(contact.gap == Approx(least_deep.gap).epsilon(1 / cosine - 1));
-      CHECK(contact.normal.dot(least_deep.normal) >= cosine);
+      CHECK(contact.gap == Approx(shallowest.gap).epsilon(1 / cosine - 1));
+      CHECK(contact.normal.dot(shallowest.normal) >= cosine);
       ++compared;
       if (step == 0) first_normal = contact.normal;
       turned += first_normal.dot(contact.normal) < 0.5;

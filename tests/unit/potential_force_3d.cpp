@@ -35,12 +35,12 @@ struct PlacedPair {
 
 /// From just touching to one inside the other; a within a ball of radius 1 about its centroid, or little
 /// more.
-PlacedPair draw_pair(Random& random, int most_vertices) {
+PlacedPair draw_pair(Random& random, int max_vertices) {
   const double distance = random.uniform(0, 1.6);
   const Vector<3> to_b = distance * random_direction(random);
   const double size = random.uniform(0.2, 1);
-  return {random_block(random, random.integer(4, most_vertices)),
-          block_of(scaled(random_cloud(random, random.integer(4, most_vertices), 1, 1), size)), to_b};
+  return {random_block(random, random.integer(4, max_vertices)),
+          block_of(scaled(random_cloud(random, random.integer(4, max_vertices), 1, 1), size)), to_b};
 }
 
 /// What two blocks have in common lies in a ball of radius 1, and so its surface is at most 4 pi. When b
@@ -232,9 +232,9 @@ TEST_CASE(
     "strained") {
   Random random(72);
   constexpr double step = 1e-6;
-  for (const int most_vertices : {4, 8, 12, 32, 128}) {
+  for (const int max_vertices : {4, 8, 12, 32, 128}) {
     for (int round = 0; round < 20; ++round) {
-      const PlacedPair pair = draw_pair(random, most_vertices);
+      const PlacedPair pair = draw_pair(random, max_vertices);
       const Tensor<3> rate_a = random_tensor<3>(random) / 3, rate_b = random_tensor<3>(random) / 3;
       const Vector<3> velocity = random_direction(random);
       const auto energy_after = [&](double time, double moves, double strains) {
@@ -264,9 +264,9 @@ TEST_CASE(
 
 TEST_CASE("in space, seen from the other block the force is opposite") {
   Random random(73);
-  for (const int most_vertices : {4, 8, 12, 32, 128}) {
+  for (const int max_vertices : {4, 8, 12, 32, 128}) {
     for (int round = 0; round < 100; ++round) {
-      const auto [a, b, to_b] = draw_pair(random, most_vertices);
+      const auto [a, b, to_b] = draw_pair(random, max_vertices);
       const PotentialForce<3> on_b = force_between(a, b, to_b), on_a = force_between(b, a, -to_b);
       check_balance(on_b, to_b);
       CHECK((on_b.force + on_a.force).norm() <= 1e-14);

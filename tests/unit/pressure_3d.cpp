@@ -14,10 +14,10 @@ struct BodyPair {
   Vector<3> to_b;
 };
 
-BodyPair draw_pair(Random& random, int most_vertices = 24) {
+BodyPair draw_pair(Random& random, int max_vertices = 24) {
   for (;;) {
-    const Cloud p = random_cloud(random, random.integer(4, most_vertices), 1, 1),
-                q = random_cloud(random, random.integer(4, most_vertices), 1, 1);
+    const Cloud p = random_cloud(random, random.integer(4, max_vertices), 1, 1),
+                q = random_cloud(random, random.integer(4, max_vertices), 1, 1);
     const Vector<3> to_b = random_vector(random, -0.8, 0.8);
     if (pair_of_largest_gap(block_of(p).outline(), block_of(q).outline(), to_b).gap < -1e-3)
       return {block_of(p), block_of(q), to_b};

@@ -99,8 +99,8 @@ TEST_CASE("an elastic bounce keeps its energy to the order dt^2") {
       CHECK(middle / fine >= 4 - 0.75);
       if (jumps) CHECK(coarse / middle <= 4 + 0.75);
       if (jumps) CHECK(middle / fine <= 4 + 0.75);
-      const double least_mass = density / 4;  // at a vertex: 1 + m r^2 / I <= 4
-      CHECK(fine <= 0.5 * hardest(kind) / least_mass * square_of(1.05e-4));
+      const double min_mass = density / 4;  // at a vertex: 1 + m r^2 / I <= 4
+      CHECK(fine <= 0.5 * hardest(kind) / min_mass * square_of(1.05e-4));
     }
   }
 }

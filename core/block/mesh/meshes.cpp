@@ -97,7 +97,7 @@ void Meshes<D>::take_back() {
 template <int D>
 MeshFaultReport Meshes<D>::fault_of(std::int32_t which) const {
   const auto is_bounded = [&](std::int32_t node) {
-    return mass[std::size_t(node)] >= least_mass && mass[std::size_t(node)] <= largest_mass;
+    return mass[std::size_t(node)] >= min_mass && mass[std::size_t(node)] <= largest_mass;
   };
   MeshFaultReport report;
   for_each_element_of(which, [&](const auto& element) {

@@ -30,13 +30,13 @@ struct PotentialRoom;
 template <>
 struct PotentialRoom<2> {
   explicit PotentialRoom(Memory* memory)
-      : least_depth(memory), near_a(memory), near_b(memory), corners(memory) {}
+      : min_depth(memory), near_a(memory), near_b(memory), corners(memory) {}
 
   /// Reserves for two blocks of up to `edges` edges.
   void reserve(std::size_t edges) {
     if (near_a.size() >= edges) return;
     corners.resize(3 * polygon_room(edges), Vector<2>::Zero());
-    least_depth.resize(edges + 1);  // they are computed in pairs
+    min_depth.resize(edges + 1);  // they are computed in pairs
     near_b.resize(edges);
     near_a.resize(edges);
   }
@@ -44,7 +44,7 @@ struct PotentialRoom<2> {
   Vector<2>* polygon(int which) { return corners.data() + std::size_t(which) * max_corners(); }
   std::size_t max_corners() const { return polygon_room(near_a.size()); }
 
-  Array<double> least_depth;   // of the other block's vertices, behind each edge
+  Array<double> min_depth;     // of the other block's vertices, behind each edge
   Array<std::int32_t> near_a;  // edges of a that can be the nearest to some point of b
   Array<std::int32_t> near_b;
   Array<Vector<2>> corners;
@@ -57,7 +57,7 @@ struct PotentialRoom<2> {
 template <>
 struct PotentialRoom<3> {
   explicit PotentialRoom(Memory* memory)
-      : least_depth(memory),
+      : min_depth(memory),
         near(memory),
         sounding_of_a(memory),
         sounding_of_b(memory),
@@ -67,17 +67,17 @@ struct PotentialRoom<3> {
   /// Reserves for two blocks of up to `edges` edges. Grows later where the overlap has very many vertices. A
   /// block has at most 2/3 as many faces as edges.
   void reserve(std::size_t edges) {
-    const std::size_t faces = edges, most_vertices = 256 + 8 * edges;
-    least_depth.resize(std::max(least_depth.size(), faces));
-    near.reserve(faces, most_vertices);
+    const std::size_t faces = edges, max_vertices = 256 + 8 * edges;
+    min_depth.resize(std::max(min_depth.size(), faces));
+    near.reserve(faces, max_vertices);
     sounding_of_a.reserve(edges);
     sounding_of_b.reserve(edges);
-    intersection.reserve(edges, most_vertices);
-    cell.reserve(edges, most_vertices);
+    intersection.reserve(edges, max_vertices);
+    cell.reserve(edges, max_vertices);
   }
 
-  Array<double> least_depth;  // lower bound, of the intersection behind each face
-  NearFaces near;             // of one block at a time
+  Array<double> min_depth;  // lower bound, of the intersection behind each face
+  NearFaces near;           // of one block at a time
   VertexDepths sounding_of_a;
   VertexDepths sounding_of_b;
   ClippedPolyhedron intersection;

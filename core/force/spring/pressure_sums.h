@@ -35,8 +35,8 @@ PressureFace<D> face_of(const PlacedOutline<D>& block, int face) {
 /// not bound the overlap is farther away. The first is kept against one that is nearer by rounding only, so
 /// that a search from the face that was found finds it again.
 template <int D, class Sides>
-PressureFace<D> least_face(const PlacedOutline<D> (&blocks)[2], const PressureFace<D>& first,
-                           const Sides& sides, const Vector<D>& centroid) {
+PressureFace<D> face_of_min_energy(const PlacedOutline<D> (&blocks)[2], const PressureFace<D>& first,
+                                   const Sides& sides, const Vector<D>& centroid) {
   PressureFace<D> least = first;
   double depth = first.depth(centroid);
   depth -= std::min(same_face * first.flush, equal_within * std::abs(depth));

@@ -35,11 +35,11 @@ class LargestSphere {
     // Rounding could cause cycling; convergence takes far fewer iterations than this limit.
     for (std::size_t round = 0; round < 10 * planes_.size(); ++round) {
       fit_sphere();
-      const std::size_t deepest = most_violated();
+      const std::size_t deepest = farthest_plane();
       if (deepest == planes_.size()) break;
       exchange(deepest);
     }
-    return {sphere_.head<3>(), least_distance()};
+    return {sphere_.head<3>(), min_distance()};
   }
 
  private:
@@ -61,7 +61,7 @@ class LargestSphere {
   double violation(std::size_t plane) const { return column(plane).dot(sphere_) - planes_[plane].offset; }
 
   /// Returns the number of planes when the sphere is behind all of them to rounding.
-  std::size_t most_violated() const {
+  std::size_t farthest_plane() const {
     const double rounding = place_rounding * sphere_.cwiseAbs().maxCoeff();
     std::size_t worst = planes_.size();
     double most = rounding;
@@ -90,7 +90,7 @@ class LargestSphere {
     if (leaving >= 0) touched_[leaving] = entering;
   }
 
-  double least_distance() const {
+  double min_distance() const {
     double least = HUGE_VAL;
     for (const Halfspace<3>& plane : planes_)
       least = std::min(least, plane.offset - plane.normal.dot(sphere_.head<3>()));

@@ -6,13 +6,13 @@
 
 namespace halfspace {
 
-/// Tests all potential pairs of polygons with at most `most_vertices` vertices each, within
-/// most_combinations. The known bound allows loops to be unrolled.
-template <int most_vertices>
+/// Tests all potential pairs of polygons with at most `max_vertices` vertices each, within
+/// max_combinations. The known bound allows loops to be unrolled.
+template <int max_vertices>
 [[gnu::always_inline]] inline Separation<2> find_separation_of_few(const PosedPair<2>& posed,
                                                                    const Placement<Turns>& seen) {
   const Outline<2>&a = posed.a.outline(), &b = posed.b.outline();
-  const auto is_known = [](int count) { return count >= 3 && count <= most_vertices; };
+  const auto is_known = [](int count) { return count >= 3 && count <= max_vertices; };
   if (!is_known(a.count) || !is_known(b.count)) __builtin_unreachable();
   return find_separation_by_all(a, b, seen);
 }
@@ -27,10 +27,10 @@ template <int most_vertices>
 
 /// The contact of overlapping polygons, with b in the frame of a.
 inline Contact<2> describe_overlap(const PosedPair<2>& posed, const Outline<2>& b, const Vector<2>& to_b,
-                                   const Rotation<2>& frame_of_a, const PotentialPair<2>& least_depth,
+                                   const Rotation<2>& frame_of_a, const PotentialPair<2>& min_depth,
                                    const DetectOptions& options, PairCache<2>& witness) {
   Contact<2> contact;
-  describe_overlap(posed.a.outline(), b, to_b, least_depth, options, witness, contact);
+  describe_overlap(posed.a.outline(), b, to_b, min_depth, options, witness, contact);
   place(contact, frame_of_a, Vector<2>(posed.at_a.position));
   return contact;
 }

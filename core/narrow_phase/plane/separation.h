@@ -63,10 +63,10 @@ inline double edge_gap(const Outline<2>& owner, int edge, const Outline<2>& othe
 
 /// Up to this many vertex-edge combinations all are tested; beyond, the merge is faster, whose steps depend
 /// on each other (tests/benchmarks, bench_pairs).
-constexpr int most_combinations = 1024;
+constexpr int max_combinations = 1024;
 
 inline bool by_all_combinations(const Outline<2>& a, const Outline<2>& b) {
-  return std::int64_t(a.count) * b.count <= most_combinations;
+  return std::int64_t(a.count) * b.count <= max_combinations;
 }
 
 /// The largest of all gaps, or the first above the margin, by the merge of sorted normals.
@@ -81,7 +81,7 @@ inline Separation<2> larger_of_each(const IndexedLanes& each) {
   return {gap, {owner, edges[owner], 0}};
 }
 
-/// Tests all potential contact pairs (eqs. 12-16), within most_combinations. Except for two triangles, stops
+/// Tests all potential contact pairs (eqs. 12-16), within max_combinations. Except for two triangles, stops
 /// after the first block with a gap above the margin.
 template <class Lanes>
 [[gnu::always_inline]] inline Separation<2> find_separation_by_all(const Outline<2>& a, const Outline<2>& b,

@@ -14,7 +14,7 @@ class TurnedPolygon {
       : given_(given), memory_(memory) {
     const int stride = Outline<2>::padded(given.count);
     components_ =
-        stride <= most_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
+        stride <= max_inline ? inline_ : static_cast<double*>(memory_->allocate(bytes(), alignof(double)));
     const TwoLanes c = both(rotation.cosine), s = both(rotation.sine);
     const auto turn = [&](const double* x, const double* y, double* out_x, double* out_y) {
       const TwoLanes px = load_two(x), py = load_two(y);
@@ -40,7 +40,7 @@ class TurnedPolygon {
 
  private:
   static constexpr int components = 5;
-  static constexpr int most_inline = 32;
+  static constexpr int max_inline = 32;
 
   int stride() const { return Outline<2>::padded(given_.count); }
   std::size_t bytes() const { return components * std::size_t(stride()) * sizeof(double); }
@@ -49,7 +49,7 @@ class TurnedPolygon {
   const Outline<2>& given_;
   Memory* memory_;
   double* components_;
-  double inline_[components * most_inline];
+  double inline_[components * max_inline];
 };
 
 }  // namespace halfspace

@@ -46,20 +46,20 @@ class FlatFace {
         first_(block.topology->first_of_face[face]),
         count_(block.topology->first_of_face[face + 1] - first_),
         is_opposed_(block.normal(face).dot(plane.normal) < 0) {
-    for (int i = 0; i < std::min(count_, most_known_corners); ++i) corner_[i] = projected_corner(i);
+    for (int i = 0; i < std::min(count_, max_known_corners); ++i) corner_[i] = projected_corner(i);
   }
 
   int count() const { return count_; }
   int next(int i) const { return i + 1 == count_ ? 0 : i + 1; }
   /// Counter-clockwise about the plane's normal.
-  Vector<2> corner(int i) const { return i < most_known_corners ? corner_[i] : projected_corner(i); }
+  Vector<2> corner(int i) const { return i < max_known_corners ? corner_[i] : projected_corner(i); }
   /// The index of the corner among the block's vertices.
   int vertex(int i) const {
     return block_.topology->face_vertex[first_ + (is_opposed_ ? count_ - 1 - i : i)];
   }
 
  private:
-  static constexpr int most_known_corners = 32;
+  static constexpr int max_known_corners = 32;
 
   Vector<2> projected_corner(int i) const { return plane_.foot_of(block_.vertex(vertex(i)) + shift_); }
 
@@ -69,7 +69,7 @@ class FlatFace {
   int first_;
   int count_;
   bool is_opposed_;
-  Vector<2> corner_[most_known_corners];
+  Vector<2> corner_[max_known_corners];
 };
 
 /// The half-plane left of a line through two points, in coordinates on a plane. Points within rounding of the

@@ -11,21 +11,21 @@ namespace halfspace {
 namespace {
 
 /// A face with more corners is divided into pieces, as a fan from its first corner.
-constexpr int most_piece_corners = 32;
+constexpr int max_piece_corners = 32;
 
 /// A convex polygon: a piece of one face, cut by a piece of another. Each cut adds one corner at most.
 struct Piece {
   int count = 0;
-  Vector<2> corner[2 * most_piece_corners];
+  Vector<2> corner[2 * max_piece_corners];
 
   void add(const Vector<2>& p) {
     // Only a polygon made slightly concave by rounding gets more; the loss is as small.
-    if (count < 2 * most_piece_corners) corner[count++] = p;
+    if (count < 2 * max_piece_corners) corner[count++] = p;
   }
   std::span<const Vector<2>> corners() const { return {corner, std::size_t(count)}; }
 };
 
-constexpr int corners_in_fan = most_piece_corners - 2;  // without the first, and the last of the piece before
+constexpr int corners_in_fan = max_piece_corners - 2;  // without the first, and the last of the piece before
 
 int piece_count(const FlatFace& face) { return (face.count() - 2 + corners_in_fan - 1) / corners_in_fan; }
 
@@ -44,7 +44,7 @@ const Piece& cut_by(const Piece& cutter, double rounding, Piece& polygon, Piece&
   for (int i = 0; i < cutter.count && kept->count >= 3; ++i) {
     const int end = i + 1 == cutter.count ? 0 : i + 1;
     const HalfPlane side(cutter.corner[i], cutter.corner[end], rounding);
-    double height[2 * most_piece_corners], highest = -HUGE_VAL;
+    double height[2 * max_piece_corners], highest = -HUGE_VAL;
     for (int k = 0; k < kept->count; ++k) {
       height[k] = side.height(kept->corner[k]);
       highest = std::max(highest, height[k]);

@@ -206,7 +206,7 @@ template <class Four, class Turn>
 
 /// The pair of smallest depth among the given one and those of all faces.
 template <class Turn>
-Separation<3> least_deep_of_faces(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
+Separation<3> shallowest_of_faces(const MinkowskiDifference<Turn>& difference, const Separation<3>& found) {
   const SeenOutline a = difference.a(), b = difference.seen_b();
   Separation<3> best = found;
   const auto look_at = [&](PotentialPair<3> pair) {
@@ -239,8 +239,8 @@ Separation<3> refined(const MinkowskiDifference<Turn>& difference, const Separat
 
 /// EPA, for blocks without a separating plane. Where rounding has hidden one, the gap may be positive.
 template <class Four, class Turn>
-[[gnu::always_inline]] inline Separation<3> least_depth(const MinkowskiDifference<Turn>& difference,
-                                                        const Simplex& around_origin) {
+[[gnu::always_inline]] inline Separation<3> min_depth(const MinkowskiDifference<Turn>& difference,
+                                                      const Simplex& around_origin) {
   ExpandingPolytope<Four> polytope(around_origin.corner);
   for (;;) {
     const Corner c =
@@ -251,7 +251,7 @@ template <class Four, class Turn>
       const bool is_final = is_facet && found.gap <= -sliver_rounding * polytope.rounding();
       if (is_final) return found;
       // The walk is local: among many sides of nearly the same depth, the minimum may be far away.
-      return refined(difference, is_facet ? found : least_deep_of_faces(difference, found));
+      return refined(difference, is_facet ? found : shallowest_of_faces(difference, found));
     }
   }
 }
@@ -259,7 +259,7 @@ template <class Four, class Turn>
 /// For blocks that are flat in one plane, to rounding, and touch there: a polytope would have no volume.
 /// Starts from any face.
 template <class Turn>
-Separation<3> least_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {
+Separation<3> min_depth_of_flat(const MinkowskiDifference<Turn>& difference, const Simplex& flat) {
   const FoundFacet facet{flat.nearest, flat.corner[0], false};
   return refined(difference, at_face_of_a(difference, facet));
 }
@@ -272,8 +272,7 @@ Separation<3> find_separation_by_descent(const MinkowskiDifference<Turn>& differ
     Separation<3> plane;
     Simplex simplex;
     if (is_behind_plane<Four>(difference, plane, simplex)) return plane;
-    return simplex.count == 4 ? least_depth<Four>(difference, simplex)
-                              : least_depth_of_flat(difference, simplex);
+    return simplex.count == 4 ? min_depth<Four>(difference, simplex) : min_depth_of_flat(difference, simplex);
   });
 }
 

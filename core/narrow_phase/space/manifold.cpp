@@ -107,7 +107,7 @@ PotentialPair<3> describe_at(const SeenOutline& a, const SeenOutline& b, const V
       return describe_edges_in_face(a, b, to_b, edges, options, pair, contact)
                  ? pair
                  : describe_edges(a, b, to_b, edges, pair, contact);
-    pair = FacesAtEdges(a, b, pair).least_deep(a, b, to_b);
+    pair = FacesAtEdges(a, b, pair).shallowest(a, b, to_b);
   }
   return describe_faces(a, b, to_b, pair, options, contact);
 }

@@ -33,16 +33,15 @@ struct MeetingEdges {
     const double a_left = a.left.dot(b.along), a_right = a.right.dot(b.along);
     const double b_left = b.left.dot(a.along), b_right = b.right.dot(a.along);
     const double sense = a_left < 0 ? -1 : 1;
-    const double least_of_a = std::min(sense * a_left, -sense * a_right);
-    const double least_of_b = std::min(sense * b_left, -sense * b_right);
+    const double min_of_a = std::min(sense * a_left, -sense * a_right);
+    const double min_of_b = std::min(sense * b_left, -sense * b_right);
     const double a_square = a.along.squaredNorm(), b_square = b.along.squaredNorm();
     const double area_square = parallelogram.square;
     const double steep = proof_margin *
                          std::max(region_angle * region_angle, strictly_parallel * strictly_parallel) *
                          area_square;
-    return least_of_a > 0 && least_of_b > 0 && least_of_a * least_of_a * a_square > steep &&
-           least_of_b * least_of_b * b_square > steep &&
-           !are_all_but_parallel(area_square, a_square, b_square);
+    return min_of_a > 0 && min_of_b > 0 && min_of_a * min_of_a * a_square > steep &&
+           min_of_b * min_of_b * b_square > steep && !are_all_but_parallel(area_square, a_square, b_square);
   }
 };
 
@@ -89,7 +88,7 @@ struct FacesAtEdges {
   }
 
   /// The potential pair of smallest depth, with its vertex updated.
-  PotentialPair<3> least_deep(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
+  PotentialPair<3> shallowest(const SeenOutline& a, const SeenOutline& b, const Vector<3>& to_b) {
     int best = 0;
     double best_gap = -HUGE_VAL;
     for (int i = 0; i < 4; ++i) {

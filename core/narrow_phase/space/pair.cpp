@@ -48,7 +48,7 @@ double gap_at_face(const Outline<3>& owner, int face, const Outline<3>& other, c
   if (!are_few(other.vertex_count())) return refresh_face(owner, face, other, to_other, vertex);
   return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
     const Vector<3> normal = owner.normal(face);
-    return (least_height<Four>(other, normal) + normal.dot(to_other)) - owner.offset[face];
+    return (min_height<Four>(other, normal) + normal.dot(to_other)) - owner.offset[face];
   });
 }
 
@@ -56,7 +56,7 @@ double gap_at_plane(const Outline<3>& a, const Outline<3>& b, const Vector<3>& t
   const Vector<3>& normal = witness.proof;
   if (are_few(std::max(a.vertex_count(), b.vertex_count()))) {
     return with_widest_lanes([&]<class Four>() __attribute__((always_inline)) {
-      return (least_height<Four>(b, normal) + least_height<Four>(a, -normal)) + normal.dot(to_b);
+      return (min_height<Four>(b, normal) + min_height<Four>(a, -normal)) + normal.dot(to_b);
     });
   }
   PotentialPair<3>& pair = witness.pair;
@@ -82,7 +82,7 @@ class FacetsInOnePlane {
     }
   }
 
-  const Facet& least_deep_neighbour() const { return best_; }
+  const Facet& shallowest_neighbour() const { return best_; }
   double gap_of_neighbour() const { return best_gap_; }
 
  private:
@@ -124,7 +124,7 @@ PotentialPair<3> descend(const SeenOutline& a, const SeenOutline& b, const Vecto
   for (int steps = a.topology->edge_count + b.topology->edge_count; steps > 0; --steps) {
     const FacetsInOnePlane plane(a, b, to_b, best);
     if (plane.gap_of_neighbour() <= best_gap) break;
-    best = plane.least_deep_neighbour();
+    best = plane.shallowest_neighbour();
     best_gap = plane.gap_of_neighbour();
   }
   return best.pair;

@@ -22,9 +22,9 @@ using EdgeSet = std::uint64_t;
 
 /// Directions of a block's edges, from start to end, read two at a time.
 struct EdgeDirections {
-  double x[most_edges_in_set];
-  double y[most_edges_in_set];
-  double z[most_edges_in_set];
+  double x[max_edges_in_set];
+  double y[max_edges_in_set];
+  double z[max_edges_in_set];
 
   explicit EdgeDirections(const Outline<3>& block) {
     const int count = block.topology->edge_count;
@@ -44,14 +44,13 @@ struct EdgeDirections {
 /// docs/theory.md: `falling` ones descend along the outer normal of the left face and climb along that of the
 /// right one, `rising` ones vice versa.
 struct CrossingEdges {
-  EdgeSet falling[most_edges_in_set];
-  EdgeSet rising[most_edges_in_set];
+  EdgeSet falling[max_edges_in_set];
+  EdgeSet rising[max_edges_in_set];
 
   /// The sign of each (edge, face) is computed once.
   CrossingEdges(const Outline<3>& block, const EdgeDirections& others, int other_count) {
-    constexpr int most_faces =
-        2 * most_edges_in_set / 3;   // each has at least three edges, each edge two faces
-    EdgeSet descending[most_faces];  // the other's edges, along each face's normal
+    constexpr int max_faces = 2 * max_edges_in_set / 3;  // each has at least three edges, each edge two faces
+    EdgeSet descending[max_faces];                       // the other's edges, along each face's normal
     const Topology& topology = *block.topology;
     for (int f = 0; f < topology.face_count; ++f) {
       const TwoLanes nx = both(block.nx[f]), ny = both(block.ny[f]), nz = both(block.nz[f]);
@@ -154,7 +153,7 @@ class JudgedPairs {
     gaps_[l] = gap[1];
   }
 
-  static constexpr int most_pairs = most_edges_in_set * most_edges_in_set;
+  static constexpr int max_pairs = max_edges_in_set * max_edges_in_set;
   const Outline<3>& a_;
   const Outline<3>& b_;
   const Vector<3>& to_b_;
@@ -162,8 +161,8 @@ class JudgedPairs {
   EdgeDirections edges_of_b_;
   int rising_ = 0;
   int count_ = 0;
-  EdgePair pairs_[most_pairs + 1];
-  double gaps_[most_pairs];
+  EdgePair pairs_[max_pairs + 1];
+  double gaps_[max_pairs];
 };
 
 }  // namespace

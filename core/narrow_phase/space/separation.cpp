@@ -27,10 +27,10 @@ Separation<3> at_face_of_b(const FaceGap& found, const Outline<3>& a, const Outl
 }  // namespace
 
 bool by_all_combinations(const Outline<3>& a, const Outline<3>& b) {
-  constexpr int most_combinations = 400;
+  constexpr int max_combinations = 400;
   const int edges_of_a = a.topology->edge_count, edges_of_b = b.topology->edge_count;
-  return edges_of_a <= most_edges_in_set && edges_of_b <= most_edges_in_set &&
-         edges_of_a * edges_of_b <= most_combinations;
+  return edges_of_a <= max_edges_in_set && edges_of_b <= max_edges_in_set &&
+         edges_of_a * edges_of_b <= max_combinations;
 }
 
 Separation<3> find_separation_by_all(const Outline<3>& a, const Outline<3>& b, const Vector<3>& to_b,

@@ -62,7 +62,7 @@ template <class Four = TwiceTwoLanes>
 
 /// The height of the deepest vertex, without its index: half the cost.
 template <class Four>
-[[gnu::always_inline]] inline double least_height(const Outline<3>& block, const Vector<3>& direction) {
+[[gnu::always_inline]] inline double min_height(const Outline<3>& block, const Vector<3>& direction) {
   const Four nx = all_four<Four>(direction.x()), ny = all_four<Four>(direction.y()),
              nz = all_four<Four>(direction.z());
   const auto heights = [&](int v) __attribute__((always_inline)) {

@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// The outline of a block of up to most_edges_in_set edges rotated to another frame, in its own memory.
+/// The outline of a block of up to max_edges_in_set edges rotated to another frame, in its own memory.
 class TurnedPolyhedron {
  public:
   TurnedPolyhedron(const Outline<3>& given, const Rotation<3>& rotation) {
@@ -26,7 +26,7 @@ class TurnedPolyhedron {
 
  private:
   /// Vertices and faces are the edges plus two (Euler), each padded.
-  static constexpr int most_components = 3 * (most_edges_in_set + 2 + 2 * 3);
+  static constexpr int max_components = 3 * (max_edges_in_set + 2 + 2 * 3);
 
   /// Two at a time, with the same bits as Rotation.
   static void turn(const Rotation<3>& rotation, const double* x, const double* y, const double* z, int count,
@@ -44,7 +44,7 @@ class TurnedPolyhedron {
     }
   }
 
-  double components_[most_components];
+  double components_[max_components];
   Outline<3> outline_;
 };
 

@@ -88,7 +88,7 @@ void BondPass<D>::load_point(std::int64_t which, std::int64_t number, const Plac
   energy.friction_loss += point.area * traction.friction_loss;
   hold.has_broken = hold.has_broken || (point.is_broken() && !before.is_broken());
   hold.is_closed = hold.is_closed || !point.is_broken() || opening < 0;
-  hold.least_slip = std::min(hold.least_slip, point.is_broken() ? slip.norm() : 0);
+  hold.min_slip = std::min(hold.min_slip, point.is_broken() ? slip.norm() : 0);
   if (traction.breaks && is_of_numbers) {
     note_failure(which, number, before, point, blocks_.position[std::size_t(bond.a)] + middle, at.normal,
                  point.area * traction.fracture_loss);
@@ -111,7 +111,7 @@ bool BondPass<D>::load(std::int64_t step, double time, BondEnergy& energy) {
       load_point(std::int64_t(which), number++, at, point, load, hold, energy);
     load_blocks(bond, load);
     has_broken = has_broken || hold.has_broken;
-    if (hold.is_closed && hold.least_slip <= slid_joint * bond.extent) continue;
+    if (hold.is_closed && hold.min_slip <= slid_joint * bond.extent) continue;
     bond.is_joint = 0;
     bond.hands_over = 1;
     has_come_apart = true;

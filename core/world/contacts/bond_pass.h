@@ -49,7 +49,7 @@ class BondPass {
   /// small.
   struct Hold {
     bool is_closed = false;  // at any point
-    double least_slip = HUGE_VAL;
+    double min_slip = HUGE_VAL;
     bool has_broken = false;  // at any point, in this step
   };
 

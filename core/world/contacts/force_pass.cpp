@@ -26,10 +26,10 @@ void ForcePass<D>::fit_rooms() {
   dashpots_.resize(is_damped ? pairs : 0);
   virials_.resize(blocks_.has_deformable() ? pairs : 0);
   if (laws.any([](const ContactLaw& law) { return law.is_per_area(); })) {
-    for (PressureRoom<D>& room : pressure_rooms_) room.reserve(blocks_.most_edges());
+    for (PressureRoom<D>& room : pressure_rooms_) room.reserve(blocks_.max_edges());
   }
   if (!laws.knows_potential()) return;
-  for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.most_edges());
+  for (PotentialRoom<D>& room : potential_rooms_) room.reserve(blocks_.max_edges());
 }
 
 template <int D>

@@ -188,9 +188,9 @@ void PointContactSearch<3>::rebuild_surface_edges() {
 template <>
 void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
                                            Array<ContactConstraint<3>>& found) const {
-  const double most_behind = other_side * blocks_.radius[std::size_t(b)];
+  const double max_behind = other_side * blocks_.radius[std::size_t(b)];
   // Two edges that are farther apart cannot meet in this motion.
-  const double reach = margin_ + integrator_.longest_motion() + most_behind;
+  const double reach = margin_ + integrator_.longest_motion() + max_behind;
   const EdgeBound about_b{blocks_.position[std::size_t(b)], blocks_.radius[std::size_t(b)]};
   for (int i = 0; i < edge_count(std::size_t(a)); ++i) {
     const EdgeBound about_edge = bound_of_edge(a, i);
@@ -209,7 +209,7 @@ void PointContactSearch<3>::find_edge_edge(std::int32_t a, std::int32_t b,
       const Vector<3> normal = normal_of(of_a.now, of_b.now);
       const double before = normal.dot(of_a.now.end[0] - of_b.now.end[0]);
       const double after = normal.dot(of_a.predicted.at(at_end.on_a) - of_b.predicted.at(at_end.on_b));
-      if (after > margin_ || before < -most_behind) continue;
+      if (after > margin_ || before < -max_behind) continue;
       ContactConstraint<3> at;
       at.a = a;
       at.b = b;

@@ -48,7 +48,7 @@ class HardContacts {
   void forget_rest() { rigid_.forget_rest(); }
 
   /// The contact with the largest force of the coming motion, or of the last one where none is predicted.
-  PressedPair most_pressed() const {
+  PressedPair deepest_pressed() const {
     PressedPair pair;
     points_.note_pressed(pair);
     rigid_.note_pressed(pair);

@@ -110,7 +110,7 @@ struct ImpulseProblem {
   }
   /// Do the blocks of most of its contacts move faster against each other than this, if it is above 0, at the
   /// beginning?
-  bool most_slip(std::size_t island, double speed) const {
+  bool max_slip(std::size_t island, double speed) const {
     const std::span<const std::int32_t> of_island = islands.contacts_of(island);
     const auto fast = std::count_if(of_island.begin(), of_island.end(), [&](std::int32_t c) {
       const ImpulseContact<D>& contact = contacts[std::size_t(c)];
@@ -233,7 +233,7 @@ struct ImpulseProblem {
 
 /// The most rows that the contacts of a problem may have: a patch has a couple only where it has some size.
 template <int D>
-std::size_t most_rows(const ImpulseProblem<D>& problem) {
+std::size_t max_rows(const ImpulseProblem<D>& problem) {
   std::size_t rows = 0;
   for (const ImpulseContact<D>& contact : problem.contacts)
     rows += std::size_t(contact.normal_count) + max_friction_rows<D>;

@@ -24,7 +24,7 @@ constexpr int normal_sweeps = 40;
 
 template <int D>
 void ImpulseSolver<D>::reserve(const ImpulseProblem<D>& problem) {
-  const std::size_t rows = most_rows(problem), blocks = problem.motions.size();
+  const std::size_t rows = max_rows(problem), blocks = problem.motions.size();
   active_set_.reserve(rows, blocks);
   groups_.arrange(problem);
   pauses_.resize(blocks);
@@ -75,7 +75,7 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
   const Part groups = groups_.island(island);
   SolverPause pause = pause_of(problem, island);
   const bool is_in_motion = pause.length > 0, uses_active_sets = pause.ends_now();
-  const bool slips = is_in_motion && problem.most_slip(island, slip_fraction * settings.speed);
+  const bool slips = is_in_motion && problem.max_slip(island, slip_fraction * settings.speed);
   double fastest = groups_.begin(groups);
   conjugate_ = {};
   ImpulseResult result;

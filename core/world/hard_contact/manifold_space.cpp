@@ -187,7 +187,7 @@ bool find_manifold(const PosedBlock<3>& a, const PosedBlock<3>& b, double margin
   if (best.gap > margin || best.pair.kind == PotentialPair<3>::vertex_vertex) return false;
   if (best.pair.kind == PotentialPair<3>::edge_edge) {
     const SeenOutline seen_a(a.own), seen_b(b.own, frame.turn);
-    PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).least_deep(seen_a, seen_b, frame.to_b);
+    PotentialPair<3> face = FacesAtEdges(seen_a, seen_b, best.pair).shallowest(seen_a, seen_b, frame.to_b);
     const double face_gap = refresh(seen_a, seen_b, frame.to_b, face);
     const bool is_as_far = face_gap >= best.gap - nearly_flush * size;
     if (!is_as_far && meet_at_edges(a, b, frame, edges, manifold)) return true;

@@ -23,7 +23,7 @@ class MixedSolver {
   /// Takes the memory of problems of these contacts, with these rows or other friction rows.
   void reserve(const ImpulseProblem<D>& problem) {
     groups_.arrange(problem);
-    start_.reserve(most_rows(problem));
+    start_.reserve(max_rows(problem));
   }
   /// Solves from no changes, and motions of the problem without any impulses. The impulses of both are the
   /// start and the result.

@@ -210,7 +210,7 @@ void RigidContacts<D>::build() {
   rows_.build(predicted_, problem_);
   set_motions(Half::first);
   problem_.find_islands();
-  problem_.rows.reserve(most_rows(problem_));
+  problem_.rows.reserve(max_rows(problem_));
   solver_.reserve(problem_);
   rest_.reserve(blocks_.slot_count());
 }

@@ -63,7 +63,7 @@ class ContinuousCollision {
 
   /// Reserves the working memory of times of impact, which snapshots do not contain.
   void fit_room() {
-    room_of_one_ = 2 * blocks_.most_components();
+    room_of_one_ = 2 * blocks_.max_components();
     impact_room_.resize(std::size_t(workers_) * room_of_one_);
   }
 

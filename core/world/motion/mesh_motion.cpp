@@ -148,7 +148,7 @@ void MeshMotion<D>::begin(double time_step, EnergySample& sample, double& noise)
 
 /// A translation of a body strains no cell, except by rounding of positions relative to the body's origin.
 template <int D>
-typename MeshMotion<D>::Bending MeshMotion<D>::most_bent() const {
+typename MeshMotion<D>::Bending MeshMotion<D>::max_bending() const {
   Bending most;
   for (const Body<D>& body : meshes_.bodies()) {
     const std::size_t first = std::size_t(body.first_node), last = first + std::size_t(body.node_count);
@@ -193,10 +193,10 @@ bool MeshMotion<D>::predict(double duration) {
   duration_ = duration;
   inverted_ = {};
   if (meshes_.empty()) return true;
-  const Bending bent = most_bent();
+  const Bending bent = max_bending();
   if (!std::isfinite(bent.by_motion) || !(bent.by_rounding <= rounded_strain)) return false;
-  const double least_stretch = std::sqrt(std::max(1 - 2 * std::sqrt(largest_strain_), 0.0));
-  return bent.by_motion < 0.5 * least_stretch || keeps_upright();
+  const double min_stretch = std::sqrt(std::max(1 - 2 * std::sqrt(largest_strain_), 0.0));
+  return bent.by_motion < 0.5 * min_stretch || keeps_upright();
 }
 
 template <int D>

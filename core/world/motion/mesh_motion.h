@@ -132,7 +132,7 @@ class MeshMotion {
     double by_motion = 0;
     double by_rounding = 0;
   };
-  Bending most_bent() const;
+  Bending max_bending() const;
   bool keeps_upright();
   void sample_energy(std::size_t node, const Vector<D>& opposed, EnergySample& sample) const;
   void take_surface_stock(EnergySample& sample) const;

@@ -60,7 +60,7 @@ double PenetrationBound<D>::of(const Candidate<D>& pair) const {
 
 /// A bound of the ratio by the speed alone, without the depth.
 template <int D>
-double PenetrationBound<D>::most_of(const Candidate<D>& pair) const {
+double PenetrationBound<D>::max_of(const Candidate<D>& pair) const {
   return from(pair, blocks_.speed_between(pair.a, pair.b), 0);
 }
 
@@ -69,7 +69,7 @@ double PenetrationBound<D>::deepest() const {
   double deepest = deepest_;
   for (const Candidate<D>& pair : contacts_.neighbors().pairs()) {
     if (model_.law_of(pair).has_no_spring()) continue;
-    if (touching(pair.witness) || most_of(pair) > deepest) deepest = std::max(deepest, of(pair));
+    if (touching(pair.witness) || max_of(pair) > deepest) deepest = std::max(deepest, of(pair));
   }
   return deepest;
 }

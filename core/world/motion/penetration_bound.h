@@ -24,7 +24,7 @@ class PenetrationBound {
   /// Notes a ratio, such as that of of_meeting().
   void note(double share) { deepest_ = std::max(deepest_, share); }
   /// The ratio of two blocks that have just met; 0 if it cannot exceed the maximum noted so far.
-  double of_meeting(const Candidate<D>& pair) const { return most_of(pair) > deepest_ ? of(pair) : 0; }
+  double of_meeting(const Candidate<D>& pair) const { return max_of(pair) > deepest_ ? of(pair) : 0; }
 
   double noted() const { return deepest_; }
 
@@ -40,7 +40,7 @@ class PenetrationBound {
   Contact<D> nearest_of(const Candidate<D>& pair) const;
   double from(const Candidate<D>& pair, double speed, double depth) const;
   double of(const Candidate<D>& pair) const;
-  double most_of(const Candidate<D>& pair) const;
+  double max_of(const Candidate<D>& pair) const;
 
   const Model<D>& model_;
   const Blocks<D>& blocks_;

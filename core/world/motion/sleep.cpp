@@ -45,12 +45,12 @@ void Sleep<D>::begin_look(const Blocks<D>& blocks, std::size_t i) {
 /// the minimum sleep: otherwise a block that is still settling would use it up in short sleeps. Prescribed
 /// blocks and mesh blocks do not sleep.
 template <int D>
-double Sleep<D>::longest_sleep(const Model<D>& model, std::size_t i, double least_sleep) const {
+double Sleep<D>::longest_sleep(const Model<D>& model, std::size_t i, double min_sleep) const {
   if (rest_[i] == Rest::fixed) return for_ever;
   if (!model.blocks.moves_freely(i) || model.blocks.is_of_mesh(i)) return 0;
   const double tolerance = model.settings.sleep_tolerance, left = tolerance - error_used_[i];
   const double longest = speed_bound_[i].time_for(0.5 * left);
-  return longest * (left / tolerance) >= least_sleep ? longest : 0;
+  return longest * (left / tolerance) >= min_sleep ? longest : 0;
 }
 
 template <int D>
@@ -78,13 +78,13 @@ void Sleep<D>::join_by_bonds(const Blocks<D>& blocks) {
 }
 
 template <int D>
-void Sleep<D>::put_to_sleep(double time, double least_sleep) {
+void Sleep<D>::put_to_sleep(double time, double min_sleep) {
   const std::int64_t before = sleeping_;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     if (rest_[i] != Rest::none) continue;
     island_[i] = head_of(std::int32_t(i));
     const double longest = longest_[std::size_t(island_[i])];
-    if (!(longest >= least_sleep)) continue;
+    if (!(longest >= min_sleep)) continue;
     rest_[i] = Rest::asleep;
     since_[i] = time;
     until_[i] = time + longest;

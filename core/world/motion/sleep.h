@@ -12,7 +12,7 @@ namespace halfspace {
 constexpr std::int64_t steps_between_looks = 64;
 
 /// Minimum duration of a sleep, in steps.
-constexpr double least_sleep_in_steps = 256;
+constexpr double min_sleep_in_steps = 256;
 
 /// Bounds of the speed and the acceleration of a block's points.
 struct SpeedBound {
@@ -69,18 +69,18 @@ class Sleep {
   /// Puts islands to sleep that may sleep long enough. `for_each_touch(visit)` calls `visit(a, b)` for all
   /// blocks in touch, and `speed_bound_of(slot)` returns the bound of a free block.
   template <class ForEachTouch, class BoundOf>
-  void look(const Model<D>& model, ForEachTouch for_each_touch, double time, double least_sleep,
+  void look(const Model<D>& model, ForEachTouch for_each_touch, double time, double min_sleep,
             BoundOf speed_bound_of) {
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       if (rest_[i] == Rest::asleep) continue;
       begin_look(model.blocks, i);
       if (model.blocks.moves_freely(i)) speed_bound_[i] = speed_bound_of(i);
-      longest_[i] = longest_sleep(model, i, least_sleep);
+      longest_[i] = longest_sleep(model, i, min_sleep);
     }
     for_each_touch([&](std::int32_t a, std::int32_t b) { join(a, b); });
     join_by_bonds(model.blocks);
     for (const Part<D>& part : model.blocks.compounds().parts()) join(part.compound, part.block);
-    put_to_sleep(time, least_sleep);
+    put_to_sleep(time, min_sleep);
   }
   /// Wakes islands whose sleep ends within `duration`.
   void wake_in_time(double time, double duration);
@@ -114,13 +114,13 @@ class Sleep {
   enum class Rest : std::uint8_t { none = 0, fixed = 1, asleep = 2 };
 
   void begin_look(const Blocks<D>& blocks, std::size_t slot);
-  double longest_sleep(const Model<D>& model, std::size_t slot, double least_sleep) const;
+  double longest_sleep(const Model<D>& model, std::size_t slot, double min_sleep) const;
   std::int32_t head_of(std::int32_t slot);
   void join(std::int32_t a, std::int32_t b);
   void join_by_bonds(const Blocks<D>& blocks);
   bool mark_touched(std::int32_t mover, std::int32_t sleeper);
   bool wake_marked(double time);
-  void put_to_sleep(double time, double least_sleep);
+  void put_to_sleep(double time, double min_sleep);
   template <class Wakes>
   bool wake_islands(Wakes wakes, double time);
 

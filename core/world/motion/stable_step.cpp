@@ -88,7 +88,7 @@ typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
   }
   const Deformation<D>& deformation = blocks_.deformation(slot);
   const Elasticity& elasticity = model_.elasticity_of(slot);
-  return {deformation.volume * elasticity.template largest_stiffness<D>() / deformation.least_moment,
+  return {deformation.volume * elasticity.template largest_stiffness<D>() / deformation.min_moment,
           elasticity.damping_time};
 }
 
@@ -100,7 +100,7 @@ typename StableStep<D>::Wave StableStep<D>::wave_of(std::size_t slot) const {
 template <int D>
 typename StableStep<D>::Limit StableStep<D>::limit() {
   // Mesh blocks share nodes with others, which count their own contacts.
-  constexpr int least_contacts = 4, least_contacts_of_mesh = 1;
+  constexpr int min_contacts = 4, min_contacts_of_mesh = 1;
   const double length = model_.materials.laws().knows_potential() ? model_.potential_length() : 0;
   stiffness_of_block_.assign(blocks_.slot_count(), {});
   const auto add_to_both = [&](std::int32_t a, std::int32_t b, const StiffnessSum& hardness) {
@@ -120,7 +120,7 @@ typename StableStep<D>::Limit StableStep<D>::limit() {
     if (!blocks_.moves_freely(i) || blocks_.is_part(i)) continue;
     StiffnessSum& all = stiffness_of_block_[i];
     if (!model_.water.empty()) all.stiffness += model_.water.stiffness_on(blocks_, i, water);
-    const int least = blocks_.is_of_mesh(i) ? least_contacts_of_mesh : least_contacts;
+    const int least = blocks_.is_of_mesh(i) ? min_contacts_of_mesh : min_contacts;
     all.add(stiffest_contact(i, length), 2 * std::max(least - all.contacts, 0));
     const bool is_deformable = blocks_.is_deformable(i);
     const double mobility = 1 / blocks_.mass[i] + blocks_.strain_mobility(i);

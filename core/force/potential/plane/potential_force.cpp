@@ -115,7 +115,7 @@ struct Owner {
 /// of its deepest vertex. An edge behind which all of it is deeper is never the nearest. No edge is near when
 /// the other block is outside; else the first one is the edge of the minimum.
 void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shift_of_other,
-                     double* least_depth) {
+                     double* min_depth) {
   const Outline<2>& block = owner.block;
   const Vector<2> to_other = shift_of_other - owner.shift;
   TwoLanes reach = both(HUGE_VAL), reaching{}, edge{0, 1};
@@ -128,7 +128,7 @@ void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shi
       least = min(least, depth);
       most = max(most, depth);
     }
-    store_two(least_depth + e, least);
+    store_two(min_depth + e, least);
     reaching = most < reach ? edge : reaching;
     reach = min(most, reach);
   }
@@ -137,7 +137,7 @@ void find_near_edges(Owner& owner, const Outline<2>& other, const Vector<2>& shi
   std::size_t count = 0;
   if (depth > 0) owner.near[count++] = first;
   for (int e = 0; depth > 0 && e < block.count; ++e) {
-    if (least_depth[e] <= depth && e != first) owner.near[count++] = e;
+    if (min_depth[e] <= depth && e != first) owner.near[count++] = e;
   }
   owner.near = owner.near.first(count);
 }
@@ -185,8 +185,8 @@ PotentialForce<2> potential_force(const Outline<2>& a, const Outline<2>& b, cons
   room.reserve(std::size_t(std::max(a.count, b.count)));
   const Vector<2> at_a = Vector<2>::Zero();
   Owner of_a{a, at_a, room.near_a}, of_b{b, to_b, room.near_b};
-  find_near_edges(of_a, b, to_b, room.least_depth.data());
-  find_near_edges(of_b, a, at_a, room.least_depth.data());
+  find_near_edges(of_a, b, to_b, room.min_depth.data());
+  find_near_edges(of_b, a, at_a, room.min_depth.data());
   if (of_a.near.empty() || of_b.near.empty()) return {};
 
   Polygon intersection(room.polygon(0), room.max_corners()), cell(room.polygon(1), room.max_corners()),

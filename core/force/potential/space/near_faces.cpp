@@ -49,10 +49,10 @@ bool NearFaces::is_nowhere_nearer(const Face& face, const Face& than) const {
 
 /// A face behind which all of the overlap is deeper than `reach` is never the nearest, nor is one that is
 /// nowhere nearer than another.
-void NearFaces::find(const PlacedBlock& owner, const double* least_depth, double reach) {
+void NearFaces::find(const PlacedBlock& owner, const double* min_depth, double reach) {
   faces_.clear();
   for (int f = 0; f < owner.outline.face_count(); ++f) {
-    if (!(least_depth[f] <= reach)) continue;
+    if (!(min_depth[f] <= reach)) continue;
     const Halfspace<3> plane = owner.plane(f);
     const DepthRange depths = sound(plane, faces_.size());
     faces_.push_back({plane, depths, faces_.size()});

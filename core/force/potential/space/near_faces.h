@@ -15,9 +15,9 @@ class NearFaces {
   void reserve(std::size_t faces, std::size_t vertices);
   /// Takes the vertices of the overlap.
   void begin(const ClippedPolyhedron& overlap);
-  /// Finds the near faces of one of its blocks. `least_depth`: lower bounds of the depth of the overlap
+  /// Finds the near faces of one of its blocks. `min_depth`: lower bounds of the depth of the overlap
   /// behind each face; `reach`: an upper bound of the depth in the block.
-  void find(const PlacedBlock& owner, const double* least_depth, double reach);
+  void find(const PlacedBlock& owner, const double* min_depth, double reach);
 
   std::size_t count() const { return faces_.size(); }
   /// The first is the face that most of the overlap is near to.

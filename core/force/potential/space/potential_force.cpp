@@ -58,7 +58,7 @@ class Intersection {
     room_.intersection.begin(whole_.outline, sounding);
     find_least_depths(cutter_, Bounds(room_.intersection));
     for (int f = 0; f < cutter_.outline.face_count(); ++f) {
-      if (f != first && room_.least_depth[std::size_t(f)] < 0 && !cut(room_.intersection, cutter_.plane(f)))
+      if (f != first && room_.min_depth[std::size_t(f)] < 0 && !cut(room_.intersection, cutter_.plane(f)))
         return false;
     }
     content_ = room_.intersection.measure_with_spread();
@@ -73,7 +73,7 @@ class Intersection {
   /// the rest.
   FieldForce<3> force_by(const PlacedBlock& owner) {
     const double reach = find_least_depths(owner, bounds_);
-    near_.find(owner, room_.least_depth.data(), reach);
+    near_.find(owner, room_.min_depth.data(), reach);
     FieldForce<3> sum;
     if (near_.count() == 0) return sum;  // depths are NaN
     const double rounding = rounding_of_depths();
@@ -127,7 +127,7 @@ class Intersection {
     const Outline<3>& o = owner.outline;
     const Vector<3> center = bounds.center - owner.at;
     const std::size_t count = std::size_t(Outline<3>::padded(o.face_count()));
-    if (room_.least_depth.size() < count) room_.least_depth.resize(count);
+    if (room_.min_depth.size() < count) room_.min_depth.resize(count);
     TwoLanes reach = both(HUGE_VAL);
     for (std::size_t f = 0; f < count; f += 2) {
       const TwoLanes nx = load_two(o.nx + f), ny = load_two(o.ny + f), nz = load_two(o.nz + f);
@@ -135,7 +135,7 @@ class Intersection {
       const TwoLanes depth = load_two(o.offset + f) - height;
       const TwoLanes spread = abs(nx) * both(bounds.half_size.x()) + abs(ny) * both(bounds.half_size.y()) +
                               abs(nz) * both(bounds.half_size.z());
-      store_two(room_.least_depth.data() + f, depth - spread);
+      store_two(room_.min_depth.data() + f, depth - spread);
       reach = min(reach, depth + spread);
     }
     return std::min(reach[0], reach[1]);

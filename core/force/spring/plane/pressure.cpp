@@ -141,7 +141,7 @@ Pressure<2> pressure_between(const Outline<2>& a, const Outline<2>& b, const Vec
     const std::span<const OverlapCorner> overlap = room.overlap;
     if (overlap.size() < 3) return no_pressure(first);
     const OverlapVolume<2> area = area_of(overlap);
-    const Face face = least_face(blocks, first, overlap, area.centroid);
+    const Face face = face_of_min_energy(blocks, first, overlap, area.centroid);
     const bool is_own = face.is_same(first);
     if (!is_own) pair = {face.block, face.face, face.block == pair.owner ? pair.vertex : 0};
     if (is_own || is_second) return sums_below(face, overlap).pressure(pair, face, area);

@@ -284,7 +284,7 @@ Pressure<3> pressure_between(const Outline<3>& a, const Outline<3>& b, const Vec
     const Array<OverlapFace>& faces = room.overlap.faces;
     if (faces.empty()) return no_pressure(first);
     const OverlapVolume<3> overlap = volume_of(room.overlap);
-    const Face face = least_face(blocks, first, faces, overlap.centroid);
+    const Face face = face_of_min_energy(blocks, first, faces, overlap.centroid);
     if (face.is_same(first) || is_second)
       return sums_below(face, room.overlap).pressure(pair_of(face, near), face, overlap);
     first = face;
