@@ -14,7 +14,7 @@ struct OnTop {
   Contact<2> contact;
   PairMotion<2> motion{{0, 0}, {0, 2}, Angular<2>(0), Angular<2>(0)};
   ShearSpring<2> shear;
-  bool bonded = false;
+  std::int32_t bonded = false;
   ContactEnergy energy;
 
   explicit OnTop(double overlap) {

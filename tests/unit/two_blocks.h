@@ -15,7 +15,7 @@ struct TwoBlocks {
   DetectOptions detect;
   PotentialPair<3> pair;
   ShearSpring<3> shear;
-  bool bonded = false;
+  std::int32_t bonded = false;
   // Of the last evaluation.
   Contact<3> contact;
   ContactEnergy energy;

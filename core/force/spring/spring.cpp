@@ -246,7 +246,7 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
 template <int D>
 template <class Base>
 PairLoad<D> Spring<D>::evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
-                                ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const {
+                                ShearSpring<D>& spring, std::int32_t& bonded, ContactEnergy& energy) const {
   const ContactEnergy before = energy;
   Vector<D> direction = direction_of(contact, base, bonded);
   NormalPart normal = normal_part(contact, base, motion, bonded, energy);
@@ -284,7 +284,7 @@ template class Spring<2>;
 template class Spring<3>;
 #define HALFSPACE_EVALUATE(D, BASE)                                                              \
   template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
-                                           ShearSpring<D>&, bool&, ContactEnergy&) const;
+                                           ShearSpring<D>&, std::int32_t&, ContactEnergy&) const;
 HALFSPACE_EVALUATE(2, PointSprings<2>)
 HALFSPACE_EVALUATE(2, Pressure<2>)
 HALFSPACE_EVALUATE(3, PointSprings<3>)

@@ -63,10 +63,10 @@ class Spring {
       : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
 
   /// The force of springs at points, with PointSprings as base, or per area, with Pressure as base: an intact
-  /// bond of two faces has springs on its common face.
+  /// bond of two faces has springs on its common face. `bonded` is 1 until the bond fails.
   template <class Base>
   PairLoad<D> evaluate(const Contact<D>& contact, const Base& base, const PairMotion<D>& motion,
-                       ShearSpring<D>& spring, bool& bonded, ContactEnergy& energy) const;
+                       ShearSpring<D>& spring, std::int32_t& bonded, ContactEnergy& energy) const;
 
   /// By the potentials of both blocks. The shear spring is at the loading point, across the line of action.
   PairLoad<D> evaluate(const LineOfAction<D>& line, const PairMotion<D>& motion, ShearSpring<D>& spring,

@@ -62,19 +62,6 @@ const StrainRates<D>* ForcePass<D>::strain_rates_of(std::size_t a, std::size_t b
   return &evaluation.strain_rates;
 }
 
-/// The load of a contact by springs on a base: at points, or over an area.
-template <int D>
-template <class Base>
-PairLoad<D> ForcePass<D>::spring_load(Candidate<D>& pair, const Contact<D>& contact, const Base& base,
-                                      const Spring<D>& spring, ShearSpring<D>& shear,
-                                      Evaluation& evaluation) {
-  bool bonded = pair.bonded;
-  const PairLoad<D> load =
-      spring.evaluate(contact, base, motion_of(pair, evaluation), shear, bonded, evaluation.energy);
-  pair.bonded = bonded;
-  return load;
-}
-
 /// The load by a law per area. It does not use `contact`, but for a bond.
 template <int D>
 PairLoad<D> ForcePass<D>::pressure_load(Candidate<D>& pair, const Contact<D>& contact,
@@ -83,7 +70,8 @@ PairLoad<D> ForcePass<D>::pressure_load(Candidate<D>& pair, const Contact<D>& co
                                         Evaluation& evaluation) {
   const Pressure<D> pressure = pressure_between(at.a, at.b, at.to_b, pair.witness.pair,
                                                 pressure_rooms_[std::size_t(evaluation.worker)]);
-  const PairLoad<D> load = spring_load(pair, contact, pressure, spring, shear, evaluation);
+  const PairLoad<D> load =
+      spring.evaluate(contact, pressure, motion_of(pair, evaluation), shear, pair.bonded, evaluation.energy);
   if (pair.bonded && is_joint_face(contact)) {
     evaluation.peak_overlap = std::max(evaluation.peak_overlap, -contact.gap);
   } else if (!pressure.is_empty()) {
@@ -128,14 +116,15 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
-  PairLoad<D> load;
-  if constexpr (kind == StiffnessKind::potential) {
-    load = potential_load(pair, at, law, spring, shear, evaluation);
-  } else if constexpr (kind == StiffnessKind::per_area) {
-    load = pressure_load(pair, contact, at, law, spring, shear, evaluation);
-  } else {
-    load = spring_load(pair, contact, point_springs(at.a, at.b, at.to_b, contact), spring, shear, evaluation);
-  }
+  const PairLoad<D> load = [&] {
+    if constexpr (kind == StiffnessKind::potential)
+      return potential_load(pair, at, law, spring, shear, evaluation);
+    else if constexpr (kind == StiffnessKind::per_area)
+      return pressure_load(pair, contact, at, law, spring, shear, evaluation);
+    else
+      return spring.evaluate(contact, point_springs(at.a, at.b, at.to_b, contact),
+                             motion_of(pair, evaluation), shear, pair.bonded, evaluation.energy);
+  }();
   forces_[k] = load.contact;
   if (!dashpots_.empty()) dashpots_[k] = is_damped ? load.viscous : DashpotForce<D>::none();
   if (!virials_.empty()) virials_[k] = virials_of(pair, load, is_damped, evaluation);

@@ -130,10 +130,6 @@ class ForcePass {
   [[gnu::always_inline]] inline PairMotion<D> motion_of(const Candidate<D>& pair,
                                                         Evaluation& evaluation) const;
   const StrainRates<D>* strain_rates_of(std::size_t a, std::size_t b, Evaluation& evaluation) const;
-  template <class Base>
-  [[gnu::always_inline]] inline PairLoad<D> spring_load(Candidate<D>& pair, const Contact<D>& contact,
-                                                        const Base& base, const Spring<D>& spring,
-                                                        ShearSpring<D>& shear, Evaluation& evaluation);
   PairLoad<D> pressure_load(Candidate<D>& pair, const Contact<D>& contact, const PlacedBlocks<D>& at,
                             const ContactLaw& law, const Spring<D>& spring, ShearSpring<D>& shear,
                             Evaluation& evaluation);

@@ -28,46 +28,47 @@ void ContactStage<D>::pass_over_pairs(Visit visit) {
   sum_each_chunk(state_.threads, pairs, pairs_per_chunk, sums_, visit);
 }
 
-/// Finds the contacts of a chunk under laws of a kind. Calls `on_contact(kind, k, contact)` for each that
+/// Finds the contacts of a chunk of pairs, law by law. Calls `on_contact(kind, k, contact)` for each that
 /// existed before, with the contact computed if is_described().
-template <int D>
-template <StiffnessKind kind, class OnContact>
-void ContactStage<D>::find_under(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
-  ContactList<D>& contacts = state_.contacts;
-  const Share& share = state_.share;
-  Contact<D> contact;
-  for (const std::uint32_t k : pairs_.under(kind, chunk.index)) {
-    Candidate<D>& pair = contacts.neighbors().pairs()[k];
-    const double released = sums.released;
-    const Found found = contacts.template find<kind>(k, contact, sums);
-    if (!share.counts(pair)) sums.released = released;
-    if (found == Found::apart) continue;
-    const bool loads_own = share.loads(pair);
-    // A law per area finds its face by its energy, and needs no entry face.
-    constexpr bool is_pressed = kind == StiffnessKind::per_area;
-    if (loads_own) contacts.keep(k, chunk.begin, sums);
-    if (found == Found::met && !is_pressed) {
-      if (made > 0 && contacts.template is_described<kind>(pair))
-        state_.continuous_collision.find_entrance(pair, made, chunk.worker);
-      contacts.note_met(k, chunk.begin, sums);
-      continue;
-    }
-    if (loads_own) contacts.template note_overlap<kind>(contact, sums);
-    if (found == Found::met && loads_own)
-      sums.max_penetration_ratio =
-          std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pair));
-    if (loads_own || pair.bonded) on_contact(SpringKind<kind>(), k, contact);
-  }
-}
-
-/// Finds the contacts of a chunk of pairs, law by law.
 template <int D>
 template <class OnContact>
 void ContactStage<D>::find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact) {
-  for_each_spring_kind([&](auto kind) { find_under<kind>(chunk, made, sums, on_contact); });
-  for (const std::uint32_t k : pairs_.asleep(chunk.index))
-    state_.contacts.keep_as_it_was(k, chunk.begin, sums);
-  if (pairs_.is_mixed(chunk.index)) state_.contacts.put_in_order(chunk.begin, sums);
+  ContactList<D>& contacts = state_.contacts;
+  const bool is_whole = state_.share.is_whole();
+  for_each_spring_kind([&](auto kind) {
+    Contact<D> contact;
+    for (const std::uint32_t k : pairs_.under(kind, chunk.index)) {
+      Candidate<D>& pair = contacts.neighbors().pairs()[k];
+      const double released = sums.released;
+      const Found found = contacts.template find<kind>(k, contact, sums);
+      if (!is_whole && !state_.share.counts(pair)) sums.released = released;
+      if (found == Found::apart) continue;
+      const bool loads_own = is_whole || state_.share.loads(pair);
+      if (loads_own) contacts.keep(k, chunk.begin, sums);
+      // A law per area finds its face by its energy, and needs no entry face.
+      if (found == Found::met && kind != StiffnessKind::per_area) {
+        if (made > 0 && contacts.template is_described<kind>(pair))
+          state_.continuous_collision.find_entrance(pair, made, chunk.worker);
+        contacts.note_met(k, chunk.begin, sums);
+        continue;
+      }
+      if (loads_own) note_found<kind>(pair, contact, found, sums);
+      if (loads_own || pair.bonded) on_contact(kind, k, contact);
+    }
+  });
+  for (const std::uint32_t k : pairs_.asleep(chunk.index)) contacts.keep_as_it_was(k, chunk.begin, sums);
+  if (pairs_.is_mixed(chunk.index)) contacts.put_in_order(chunk.begin, sums);
+}
+
+/// Notes how deep a contact with its final description is.
+template <int D>
+template <StiffnessKind kind>
+void ContactStage<D>::note_found(const Candidate<D>& pair, const Contact<D>& contact, Found found,
+                                 PairSums& sums) const {
+  state_.contacts.template note_overlap<kind>(contact, sums);
+  if (found == Found::met)
+    sums.max_penetration_ratio =
+        std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pair));
 }
 
 /// Determines the entry faces of pairs that have met.
@@ -100,15 +101,10 @@ void ContactStage<D>::take_in_met(double made, OnContact on_contact) {
     for (const std::uint32_t k : state_.contacts.met_in(chunk, sums)) {
       const Candidate<D>& pair = state_.contacts.neighbors().pairs()[k];
       const bool loads_own = state_.share.loads(pair);
-      if (loads_own)
-        sums.max_penetration_ratio =
-            std::max(sums.max_penetration_ratio, state_.penetration_bound.of_meeting(pair));
       for_kind_of(pair, [&](auto kind) {
         Contact<D> contact;
-        if (state_.contacts.template is_described<kind>(pair)) {
-          entrances_.describe(k, contact);
-          if (loads_own) state_.contacts.template note_overlap<kind>(contact, sums);
-        }
+        if (state_.contacts.template is_described<kind>(pair)) entrances_.describe(k, contact);
+        if (loads_own) note_found<kind>(pair, contact, Found::met, sums);
         if (loads_own || pair.bonded) on_contact(kind, k, contact, sums);
       });
     }
@@ -166,23 +162,7 @@ void ContactStage<D>::load_known(std::size_t k, Evaluation& evaluation) {
   });
 }
 
-/// Loads the contacts of a chunk of pairs, which are found in the same pass unless they are known.
-template <int D>
-void ContactStage<D>::load_chunk(const Chunk& chunk, double made, bool are_found, PairSums& sums,
-                                 Evaluation evaluation) {
-  evaluation.worker = chunk.worker;
-  if (are_found) {
-    for (const std::uint32_t k : state_.contacts.touching_in(chunk.index)) load_known(k, evaluation);
-  } else {
-    find_in(chunk, made, sums, [&](auto kind, std::size_t k, const Contact<D>& contact) {
-      load_pair<kind>(k, contact, evaluation);
-    });
-  }
-  sums.energy = evaluation.energy;
-  sums.peak_overlap = std::max(sums.peak_overlap, evaluation.peak_overlap);
-  sums.last_block = std::max(sums.last_block, evaluation.last_block);
-}
-
+/// Contacts are found in the same pass unless they are known.
 template <int D>
 void ContactStage<D>::load(double elapsed, double made) {
   sort_pairs();
@@ -190,8 +170,20 @@ void ContactStage<D>::load(double elapsed, double made) {
   const bool are_found = state_.contacts.are_found();
   if (!are_found) state_.forget_contacts();
   const Evaluation common = state_.forces.begin(elapsed);
-  pass_over_pairs(
-      [&](const Chunk& chunk, PairSums& sums) { load_chunk(chunk, made, are_found, sums, common); });
+  pass_over_pairs([&](const Chunk& chunk, PairSums& sums) {
+    Evaluation evaluation = common;
+    evaluation.worker = chunk.worker;
+    if (are_found) {
+      for (const std::uint32_t k : state_.contacts.touching_in(chunk.index)) load_known(k, evaluation);
+    } else {
+      find_in(chunk, made, sums, [&](auto kind, std::size_t k, const Contact<D>& contact) {
+        load_pair<kind>(k, contact, evaluation);
+      });
+    }
+    sums.energy = evaluation.energy;
+    sums.peak_overlap = std::max(sums.peak_overlap, evaluation.peak_overlap);
+    sums.last_block = std::max(sums.last_block, evaluation.last_block);
+  });
   if (are_found) return;
   take_in_met(made, [&](auto kind, std::size_t k, const Contact<D>& contact, PairSums& sums) {
     Evaluation evaluation = common;

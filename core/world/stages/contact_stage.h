@@ -43,10 +43,10 @@ class ContactStage {
   void for_kind_of(const Candidate<D>& pair, Visit visit) const {
     for_spring_kind(state_.model.law_of(pair).stiffness_kind, visit);
   }
-  template <StiffnessKind kind, class OnContact>
-  void find_under(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
   template <class OnContact>
   void find_in(const Chunk& chunk, double made, PairSums& sums, OnContact on_contact);
+  template <StiffnessKind kind>
+  void note_found(const Candidate<D>& pair, const Contact<D>& contact, Found found, PairSums& sums) const;
   void find_entrances(double made);
   template <class OnContact>
   void take_in_met(double made, OnContact on_contact);
@@ -54,7 +54,6 @@ class ContactStage {
   template <StiffnessKind kind>
   void load_pair(std::size_t k, const Contact<D>& contact, Evaluation& evaluation);
   void load_known(std::size_t k, Evaluation& evaluation);
-  void load_chunk(const Chunk& chunk, double made, bool are_found, PairSums& sums, Evaluation evaluation);
   void load_sleepers();
 
   State<D>& state_;
