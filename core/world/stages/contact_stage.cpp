@@ -7,6 +7,7 @@ namespace halfspace {
 template <int D>
 void ContactStage<D>::fit_room() {
   pairs_.reserve(state_.contacts.neighbors().room());
+  sorted_for_.reset();
   entrances_.fit_room();
   sums_.reserve(chunk_count(state_.contacts.neighbors().room(), pairs_per_chunk));
 }

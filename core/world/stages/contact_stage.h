@@ -20,7 +20,7 @@ class ContactStage {
         entrances_(state.model, state.contacts, state.memory()),
         sums_(state.memory()) {}
 
-  /// Reserves memory for the neighbour list in use.
+  /// Reserves memory for a list of pairs that is new, or about to be.
   void fit_room();
   /// Finds the contacts at the present positions, unless they are known.
   void find();
@@ -29,8 +29,6 @@ class ContactStage {
   void load(double elapsed, double made);
   /// Adds their forces to the blocks and their energies to the ledger.
   void gather();
-  /// The list of pairs is new.
-  void forget_pairs() { sorted_for_.reset(); }
 
  private:
   using Evaluation = typename ForcePass<D>::Evaluation;

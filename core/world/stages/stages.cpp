@@ -143,7 +143,6 @@ void Stages<D>::renew_neighbors(int renewals) {
   state_.share.find_rings(neighbors.pairs());
   if (has_bonds(state_)) bonds_.hand_over(state_.contacts);
   state_.forget_contacts();
-  contacts_.forget_pairs();
 }
 
 /// Detection requires a valid neighbour list.
