@@ -33,7 +33,7 @@ NeighborList<D>::NeighborList(Threads* threads, Memory* memory)
       reference_rotation_(memory),
       reference_gradient_(memory),
       skin_(memory),
-      planned_(memory),
+      announced_(memory),
       safe_displacement_(memory),
       displacements_(memory),
       by_second_(memory),
@@ -66,10 +66,11 @@ template <int D>
 void NeighborList<D>::choose_skins(const Blocks<D>& blocks, const SkinRule& rule) {
   const double typical = rule.typical_radius > 0 ? rule.typical_radius : median_radius(blocks);
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
-    const double planned = displacements_.empty() ? planned_[i] : planned_[i] - displacements_[i].norm();
+    const double announced =
+        displacements_.empty() ? announced_[i] : announced_[i] - displacements_[i].norm();
     const double usual = rule.relative * 2 * std::min(blocks.radius[i], typical);
     const double min_skin = rule.may_shrink ? 0 : skin_[i];
-    skin_[i] = blocks.moves(i) ? std::max({usual, rule.motions * planned, min_skin}) : 0;
+    skin_[i] = blocks.moves(i) ? std::max({usual, rule.motions * announced, min_skin}) : 0;
   }
 }
 
@@ -208,13 +209,13 @@ void NeighborList<D>::carry_over(bool with_shear) noexcept {
 template <int D>
 void NeighborList<D>::resize(std::size_t slots, bool with_gradients) {
   skin_.reserve(slots);
-  planned_.reserve(slots);
+  announced_.reserve(slots);
   safe_displacement_.reserve(slots);
   reference_position_.reserve(slots);
   reference_rotation_.reserve(slots);
   if (with_gradients) reference_gradient_.resize(slots, Tensor<D>::Identity());
   skin_.resize(slots);
-  planned_.resize(slots);
+  announced_.resize(slots);
   safe_displacement_.resize(slots);
   if (!displacements_.empty()) displacements_.resize(slots, Vector<D>::Zero());
   reference_position_.resize(slots, Vector<D>::Zero());
@@ -270,7 +271,7 @@ void NeighborList<D>::add_entry(const ListEntry<D>& entry, bool with_gradients) 
   if (with_gradients) reference_gradient_.push_back(entry.gradient);
   skin_.push_back(entry.skin);
   safe_displacement_.push_back(entry.safe_displacement);
-  planned_.push_back(0);
+  announced_.push_back(0);
 }
 
 template <int D>
@@ -346,7 +347,7 @@ template <int D>
 bool NeighborList<D>::is_consistent(const Blocks<D>& blocks) const {
   const std::size_t slots = blocks.slot_count();
   const std::size_t listed = list_length();
-  if (listed > slots || planned_.size() != listed || safe_displacement_.size() != listed ||
+  if (listed > slots || announced_.size() != listed || safe_displacement_.size() != listed ||
       (!needs_rebuild_ && listed != slots))
     return false;
   if (reference_position_.size() != listed || reference_rotation_.size() != listed) return false;

@@ -71,7 +71,7 @@ class NeighborList {
   /// Announces the maximum displacement of a block's points. Call for each block before it moves. Returns
   /// true when its skin is too small for that.
   bool announce(const Blocks<D>& blocks, std::size_t slot, double motion) {
-    planned_[slot] = motion;
+    announced_[slot] = motion;
     return !(moved(blocks, slot) + motion <= skin_[slot]);
   }
   /// The announced motion will not be made.
@@ -79,10 +79,10 @@ class NeighborList {
   /// Announces a large displacement of the centroid. The search then extends along it instead of in all
   /// directions.
   void announce_displacement(std::size_t slot, const Vector<D>& way) {
-    displacements_.resize(planned_.size(), Vector<D>::Zero());
+    displacements_.resize(announced_.size(), Vector<D>::Zero());
     displacements_[slot] = way;
   }
-  double announced_motion(std::size_t slot) const { return planned_[slot]; }
+  double announced_motion(std::size_t slot) const { return announced_[slot]; }
   /// Maximum displacement per step of a block that is not fast, for any of its neighbours.
   double safe_displacement(std::size_t slot) const { return safe_displacement_[slot]; }
   /// A lower bound of safe_displacement() over all blocks.
@@ -158,7 +158,7 @@ class NeighborList {
 
   template <class Archive>
   void visit(Archive& archive) {
-    archive(pairs_, shear_, reference_position_, reference_rotation_, reference_gradient_, skin_, planned_,
+    archive(pairs_, shear_, reference_position_, reference_rotation_, reference_gradient_, skin_, announced_,
             safe_displacement_, needs_rebuild_, builds_);
   }
 
@@ -191,7 +191,7 @@ class NeighborList {
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any
   Array<double> skin_;
-  Array<double> planned_;             // motion announced for the coming step
+  Array<double> announced_;             // motion announced for the coming step
   Array<double> safe_displacement_;   // up to which a block is not fast, for any neighbour
   Array<Vector<D>> displacements_;    // of centroids, until the next search; empty: none is large
   double min_safe_displacement_ = 0;  // not saved: 0 until the next search

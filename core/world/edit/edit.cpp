@@ -51,8 +51,7 @@ void World<D>::set_pose(std::int32_t slot, const Vector<D>& position, const Rota
   } else {
     state_.contacts.neighbors().note_placement(blocks, std::size_t(slot));
   }
-  state_.forget_contacts();
-  state_.edit();
+  state_.change_contacts();
 }
 
 template <int D>
@@ -85,8 +84,7 @@ template <int D>
 void World<D>::set_deformation(std::int32_t slot, const Tensor<D>& gradient, const Tensor<D>& rate) {
   model_.blocks.deform(slot, gradient, rate);
   state_.contacts.neighbors().note_placement(model_.blocks, std::size_t(slot));
-  state_.forget_contacts();
-  state_.edit();
+  state_.change_contacts();
 }
 
 template <int D>

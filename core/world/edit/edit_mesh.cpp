@@ -107,8 +107,7 @@ PlacedMesh World<D>::add_mesh(const Mesh<D>& mesh, const Pose<D>& pose,
     return placed;
   }
   for (const SurfaceCell<D>& cell : meshes.surface_of(placed.body)) state_.note_added(cell.block);
-  state_.forget_contacts();
-  state_.edit();
+  state_.change_contacts();
   return placed;
 }
 

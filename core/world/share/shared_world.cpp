@@ -82,8 +82,8 @@ double halo(State<D>& state) {
   for (std::size_t i = 0; i < blocks.slot_count(); ++i) {
     if (!blocks.moves_freely(i)) continue;
     const double usual = state.model.settings.skin * 2 * std::min(blocks.radius[i], typical);
-    const double planned = i < neighbors.list_length() ? neighbors.announced_motion(i) : 0;
-    reach = std::max(reach, blocks.radius[i] + 2 * std::max({usual, planned, neighbors.skin_of(i)}));
+    const double announced = i < neighbors.list_length() ? neighbors.announced_motion(i) : 0;
+    reach = std::max(reach, blocks.radius[i] + 2 * std::max({usual, announced, neighbors.skin_of(i)}));
   }
   return 4 * reach;
 }

@@ -162,8 +162,7 @@ void Stages<D>::bond_new_blocks() {
   if (state_.model.materials.laws().any([](const ContactLaw& law) { return law.bonds(); })) {
     detect();
     state_.contacts.bond_fresh();
-    state_.forget_contacts();  // bonded pairs count as contacts from now on
-    state_.edit();
+    state_.change_contacts();  // bonded pairs count from now on
   }
   state_.contacts.end_fresh();
 }

@@ -31,10 +31,15 @@ void State<D>::edit() {
 }
 
 template <int D>
-void State<D>::change_pairs() {
-  contacts.neighbors().invalidate();
+void State<D>::change_contacts() {
   forget_contacts();
   edit();
+}
+
+template <int D>
+void State<D>::change_pairs() {
+  contacts.neighbors().invalidate();
+  change_contacts();
 }
 
 template <int D>
@@ -65,8 +70,7 @@ void State<D>::forget_block(std::int32_t slot) {
   contacts.neighbors().forget(slot);
   hard_contacts.forget(slot);
   integrator.forget_reaction();
-  forget_contacts();
-  edit();
+  change_contacts();
   sleep.forget(std::size_t(slot));
 }
 

@@ -33,6 +33,8 @@ struct State {
   /// Called by every external change: contacts, forces and ledger are brought up to date before the next
   /// motion, and the change of energy counts as external work.
   void edit();
+  /// Other blocks may touch, or elsewhere: an edit after which contacts are found again.
+  void change_contacts();
   /// Other pairs may touch, or pairs have other laws or bonds: an edit after which the list of pairs is made
   /// anew, as shear springs may be needed.
   void change_pairs();
