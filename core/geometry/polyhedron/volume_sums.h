@@ -61,7 +61,8 @@ inline VolumeAndMoment with_origin_at(const Vector<3>& p, const VolumeSums& sums
 }
 inline VolumeAndSpread with_origin_at(const Vector<3>& p, const SpreadSums& sums) {
   const Vector<3> centroid = vector_of(sums.moment) / (4 * sums.volume);
-  const Tensor<3> mean = symmetric_tensor(vector_of(sums.squares), vector_of(sums.across)) / (20 * sums.volume);
+  const Tensor<3> mean =
+      symmetric_tensor(vector_of(sums.squares), vector_of(sums.across)) / (20 * sums.volume);
   return {with_origin_at(p, static_cast<const VolumeSums&>(sums)), mean - centroid * centroid.transpose()};
 }
 

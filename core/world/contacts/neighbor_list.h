@@ -191,7 +191,7 @@ class NeighborList {
   Array<Rotation<D>> reference_rotation_;
   Array<Tensor<D>> reference_gradient_;  // of deformable blocks, if there are any
   Array<double> skin_;
-  Array<double> announced_;             // motion announced for the coming step
+  Array<double> announced_;           // motion announced for the coming step
   Array<double> safe_displacement_;   // up to which a block is not fast, for any neighbour
   Array<Vector<D>> displacements_;    // of centroids, until the next search; empty: none is large
   double min_safe_displacement_ = 0;  // not saved: 0 until the next search
