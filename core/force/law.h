@@ -15,6 +15,11 @@ enum class StiffnessKind : std::int32_t { per_contact, per_area, potential, none
 /// The kinds with springs.
 #define HALFSPACE_SPRING_KINDS(VISIT) VISIT(per_contact) VISIT(per_area) VISIT(potential)
 
+#define HALFSPACE_COUNT(KIND) +1
+static_assert(HALFSPACE_SPRING_KINDS(HALFSPACE_COUNT) == int(StiffnessKind::last),
+              "all but one have springs");
+#undef HALFSPACE_COUNT
+
 /// One of them, as a constant.
 template <StiffnessKind kind>
 using SpringKind = std::integral_constant<StiffnessKind, kind>;

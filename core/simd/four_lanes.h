@@ -27,7 +27,6 @@ struct TwiceTwoLanes {
   TwiceTwoLanes operator-(const TwiceTwoLanes& o) const { return {low - o.low, high - o.high}; }
   TwiceTwoLanes operator*(const TwiceTwoLanes& o) const { return {low * o.low, high * o.high}; }
   TwiceTwoLanes operator/(const TwiceTwoLanes& o) const { return {low / o.low, high / o.high}; }
-  friend TwiceTwoLanes operator/(double a, const TwiceTwoLanes& o) { return {a / o.low, a / o.high}; }
 };
 
 template <class Four>

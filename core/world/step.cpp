@@ -46,12 +46,15 @@ StepResult World<D>::predict_changed(Motion& motion) {
   NeighborList<D>& neighbors = state_.contacts.neighbors();
   stages_.renew_neighbors_if_needed();
   neighbors.remember_pairs();
+  const std::int64_t builds = neighbors.builds();
   const auto before = copies_of(state_.written_before_motion(), state_.memory());
   try {
     return prepare_and_predict(motion);
   } catch (const std::bad_alloc&) {
     neighbors.recall_pairs();
     state_.written_before_motion() = before;
+    if (neighbors.builds() != builds)
+      neighbors.invalidate();  // the places of blocks are those of a newer list
     throw;
   }
 }

@@ -197,8 +197,7 @@ class WorldPart(IntFlag):
     BONDS = _raw.HS_PART_BONDS  # there are bonds, or a law has cohesion or tensile strength
     CONTACT_DAMPING = _raw.HS_PART_CONTACT_DAMPING  # a law has damping
     AREA = _raw.HS_PART_AREA  # a law is per area: overlap areas (3D: volumes) are computed
-    # a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
-    POTENTIAL = _raw.HS_PART_POTENTIAL
+    POTENTIAL = _raw.HS_PART_POTENTIAL  # a law is a potential: overlaps are divided into cells
     STRAIN = _raw.HS_PART_STRAIN  # a block is affine or of a mesh
     LOCAL_DAMPING = _raw.HS_PART_LOCAL_DAMPING  # the world has local damping
     MASS_DAMPING = _raw.HS_PART_MASS_DAMPING  # the world has mass damping

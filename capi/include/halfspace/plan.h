@@ -22,8 +22,7 @@ enum {
   HS_PART_BONDS = 2,           /**< there are bonds, or a law has cohesion or tensile strength */
   HS_PART_CONTACT_DAMPING = 4, /**< a law has damping */
   HS_PART_AREA = 8,            /**< a law is per area: overlap areas (3D: volumes) are computed */
-  HS_PART_POTENTIAL = 16,      /**< a law is a potential: overlaps are divided into cells; in 3D each pair
-                                    caches its division */
+  HS_PART_POTENTIAL = 16,      /**< a law is a potential: overlaps are divided into cells */
   HS_PART_STRAIN = 32,         /**< a block is affine or of a mesh */
   HS_PART_LOCAL_DAMPING = 64,  /**< the world has local damping */
   HS_PART_MASS_DAMPING = 128,  /**< the world has mass damping */

@@ -120,8 +120,8 @@ void ClippedPolyhedron::cut() {
 /// Ends the edges that leave inside at new vertices, then connects the one where a face's outline leaves to
 /// the one where it returns. Where rounding has split a face, it has several such outlines.
 void ClippedPolyhedron::clip() {
-  // Up to two new vertices per edge, and room to write one crossing too many.
-  make_room(vertex_count_ + 6 * inside_count_ + 1);
+  // Each half-edge may cross, and there is room to write one crossing too many.
+  make_room(vertex_count_ + 3 * inside_count_ + 1);
   Index* const twin = twin_.data();
   Index* end = crossing_.data();
   for (const Index v : vertices()) {
@@ -161,23 +161,23 @@ template <class Sums>
 Sums ClippedPolyhedron::sum_up() {
   const Vertex* const vertex = vertex_.data();
   const Index* const twin = twin_.data();
-  const auto point = [&](Index v) { return Coordinates<double>{vertex[v].x, vertex[v].y, vertex[v].z}; };
+  const auto point = [&](Index v) { return Vector<3>(vertex[v].x, vertex[v].y, vertex[v].z); };
   const Index top_vertex = inside_[0];
-  const Coordinates<double> top = point(top_vertex);
+  const Vector<3> top = point(top_vertex);
   for (const Index v : vertices()) std::fill_n(walked_.begin() + 4 * v, 4, false);
   Sums sums;
   for (const Index corner : vertices()) {
-    const Coordinates<double> p = point(corner) - top;
+    const Vector<3> p = point(corner) - top;
     for (Index first = 4 * corner; first < 4 * corner + 3; ++first) {
       if (walked_[first]) continue;
       Index half = clockwise(twin[first]);
       walked_[half] = true;
-      Coordinates<double> q = point(half / 4) - top;
+      Vector<3> q = point(half / 4) - top;
       for (Index next = twin[half] / 4; next != corner; next = twin[half] / 4) {
         half = clockwise(twin[half]);
         walked_[half] = true;
         if (corner == top_vertex) continue;
-        const Coordinates<double> r = point(next) - top;
+        const Vector<3> r = point(next) - top;
         sums.add(p, q, r);
         q = r;
       }
@@ -188,12 +188,12 @@ Sums ClippedPolyhedron::sum_up() {
 
 VolumeAndMoment ClippedPolyhedron::measure() {
   if (inside_count_ == 0) return {};
-  return with_origin_at(position(inside_[0]), sum_up<VolumeSums>());
+  return sum_up<VolumeSums>().with_origin_at(position(inside_[0]));
 }
 
 VolumeAndSpread ClippedPolyhedron::measure_with_spread() {
   if (inside_count_ == 0) return {};
-  return with_origin_at(position(inside_[0]), sum_up<SpreadSums>());
+  return sum_up<SpreadSums>().with_origin_at(position(inside_[0]));
 }
 
 }  // namespace halfspace

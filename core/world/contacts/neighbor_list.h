@@ -26,6 +26,8 @@ struct Candidate {
   std::int32_t bonded = 0;
   [[no_unique_address]] std::conditional_t<D == 2, NoPadding, std::int32_t> reserved{};
 };
+static_assert(sizeof(Candidate<2>) == sizeof(PairCache<2>) + 3 * sizeof(std::int32_t) &&
+              sizeof(Candidate<3>) == sizeof(PairCache<3>) + 4 * sizeof(std::int32_t));
 
 /// How far blocks may move before the list is renewed.
 struct SkinRule {

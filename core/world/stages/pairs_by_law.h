@@ -11,9 +11,9 @@
 
 namespace halfspace {
 
-/// The pairs of the neighbour list, chunk by chunk, under the kinds of their laws, so that detection and
-/// forces ask no pair for it. Pairs without springs, and those that only other shares compute, are under
-/// none.
+/// The pairs of the neighbour list, chunk by chunk, under the kinds of their laws, so that the pass over
+/// pairs asks none of them for it. Pairs without springs, pairs that sleep apart, and those that only other
+/// shares compute are under none.
 template <int D>
 class PairsByLaw {
  public:

@@ -288,7 +288,7 @@ pub const HS_PART_BONDS: i32 = 2;
 pub const HS_PART_CONTACT_DAMPING: i32 = 4;
 /// a law is per area: overlap areas (3D: volumes) are computed
 pub const HS_PART_AREA: i32 = 8;
-/// a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
+/// a law is a potential: overlaps are divided into cells
 pub const HS_PART_POTENTIAL: i32 = 16;
 /// a block is affine or of a mesh
 pub const HS_PART_STRAIN: i32 = 32;

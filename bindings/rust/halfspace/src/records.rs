@@ -721,7 +721,7 @@ pub struct Plan {
     pub contact_damping: bool,
     /// a law is per area: overlap areas (3D: volumes) are computed
     pub area: bool,
-    /// a law is a potential: overlaps are divided into cells; in 3D each pair caches its division
+    /// a law is a potential: overlaps are divided into cells
     pub potential: bool,
     /// a block is affine or of a mesh
     pub strain: bool,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "simd/two_lanes.h"
 
@@ -10,8 +11,9 @@ namespace halfspace {
 
 void NearFaces::reserve(std::size_t faces, std::size_t vertices) {
   grow(corners_, 3 * vertices);
-  grow(depths_, faces * vertices);
+  grow(depths_, std::min<std::size_t>(faces, 32) * vertices);
   faces_.reserve(faces);
+  rivals_.reserve(faces);
 }
 
 /// The last corner may count twice.
@@ -73,6 +75,19 @@ void NearFaces::find(const PlacedBlock& owner, const double* min_depth, double r
       *kept++ = *face;
   }
   faces_.erase(kept, faces_.end());
+}
+
+std::span<const std::uint32_t> NearFaces::rivals_of(std::size_t k) {
+  rivals_.clear();
+  for (std::size_t other = 0; other < faces_.size(); ++other) {
+    if (other != k) rivals_.push_back(std::uint32_t(other));
+  }
+  const auto order = [&](std::uint32_t other) {
+    return std::pair(-faces_[k].plane.normal.dot(faces_[other].plane.normal), other);
+  };
+  std::sort(rivals_.begin() + 1, rivals_.end(),
+            [&](std::uint32_t e, std::uint32_t f) { return order(e) < order(f); });
+  return rivals_;
 }
 
 }  // namespace halfspace

@@ -56,7 +56,7 @@ class Intersection {
   /// overlap.
   bool find(int first, const VertexDepths& sounding) {
     room_.intersection.begin(whole_.outline, sounding);
-    find_least_depths(cutter_, Bounds(room_.intersection));
+    find_min_depths(cutter_, Bounds(room_.intersection));
     for (int f = 0; f < cutter_.outline.face_count(); ++f) {
       if (f != first && room_.min_depth[std::size_t(f)] < 0 && !cut(room_.intersection, cutter_.plane(f)))
         return false;
@@ -72,7 +72,7 @@ class Intersection {
   /// The sum over the cells of an owner's near faces. Cells are small but for that of the first, which has
   /// the rest.
   FieldForce<3> force_by(const PlacedBlock& owner) {
-    const double reach = find_least_depths(owner, bounds_);
+    const double reach = find_min_depths(owner, bounds_);
     near_.find(owner, room_.min_depth.data(), reach);
     FieldForce<3> sum;
     if (near_.count() == 0) return sum;  // depths are NaN
@@ -111,8 +111,7 @@ class Intersection {
   /// Where two are equally near, to rounding, the first of them has the cell.
   VolumeAndMoment cell_of(std::size_t k, double rounding) {
     room_.cell.begin(room_.intersection);
-    for (std::size_t other = 0; other < near_.count(); ++other) {
-      if (other == k) continue;
+    for (const std::size_t other : near_.rivals_of(k)) {
       const double lead = other < k ? -rounding : rounding;
       const Halfspace<3> as_near{near_[other].normal - near_[k].normal,
                                  near_[other].offset - near_[k].offset + lead};
@@ -123,7 +122,7 @@ class Intersection {
 
   /// Computes lower bounds of the intersection's depth behind each face, by its bounds. Returns an upper
   /// bound of its depth behind one of them.
-  double find_least_depths(const PlacedBlock& owner, const Bounds& bounds) {
+  double find_min_depths(const PlacedBlock& owner, const Bounds& bounds) {
     const Outline<3>& o = owner.outline;
     const Vector<3> center = bounds.center - owner.at;
     const std::size_t count = std::size_t(Outline<3>::padded(o.face_count()));
