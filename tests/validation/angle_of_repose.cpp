@@ -71,15 +71,18 @@ double slope_angle(const std::vector<Point>& grains, double side) {
   return std::atan(-(n * sxy - sx * sy) / (n * sxx - sx * sx)) / degree;
 }
 
+/// The slopes of both flanks of a heap at rest, in degrees.
+struct Slopes {
+  double left, right;
+};
+
 /// What must hold at rest: nothing moves, and the plate carries the weight, but for what still rings. Kinetic
 /// energy e in all on springs under a weight W makes the force on the plate swing by sqrt(2 m e) omega, omega
 /// at most that of one grain. The angle: the steepest slope of loose grains is that of friction and
 /// interlocking together, and nothing says that it must be the friction angle; a heap that falls down with
 /// the baffles gone may also end flatter. Mean slopes of half and of twice tan(phi) are the bounds within
-/// which the paper's statement, the slope is the friction angle, has any meaning. Mirror balance: the two
-/// slopes are those of two halves of one random heap. The rise of a flank is known to about a grain in its
-/// height of some ten, each: 0.1 sqrt(2) of the tangent, three times that.
-TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
+/// which the paper's statement, the slope is the friction angle, has any meaning.
+Slopes slopes_of_heap(std::uint64_t seed) {
   constexpr double stiffness = 1e7, time_step = 2e-5, density = 2500;
   hs_world_def def = world_def(time_step);
   hs_law_def law = spring_law(stiffness, friction);
@@ -94,7 +97,7 @@ TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
   const hs_block right = scene.add(box(half_width, 0, half_width + 0.05, height),
                                    {HS_BLOCK_PRESCRIBED, {0, lift_speed}, 0}, baffle);
   std::vector<hs_block> grains;
-  for (const Points& p : triangles(12, 15, 1)) grains.push_back(scene.add(p));
+  for (const Points& p : triangles(12, 15, seed)) grains.push_back(scene.add(p));
 
   const double lift_time = height / lift_speed;
   scene.step(std::llround(lift_time / time_step));
@@ -146,8 +149,23 @@ TEST_CASE("A4.4 a heap of triangles comes to rest with two slopes", "[slow]") {
     CHECK(std::tan(angle * degree) >= 0.5 * std::tan(friction));
     CHECK(std::tan(angle * degree) <= 2 * std::tan(friction));
   }
-  CHECK(std::abs(std::tan(angle_left * degree) / std::tan(angle_right * degree) - 1) <=
-        3 * 0.1 * std::sqrt(2.0));
+  return {angle_left, angle_right};
 }
 
 }  // namespace
+
+/// Mirror balance: the two slopes are those of two halves of random heaps. The logarithm of their ratio
+/// scatters about 0: its mean is within three of its standard errors.
+TEST_CASE("A4.4 heaps of triangles come to rest with two slopes", "[slow]") {
+  constexpr int heaps = 6;
+  double sum = 0, squares = 0;
+  for (int seed = 1; seed <= heaps; ++seed) {
+    const Slopes slopes = slopes_of_heap(std::uint64_t(seed));
+    const double ratio = std::log(std::tan(slopes.left * degree) / std::tan(slopes.right * degree));
+    sum += ratio;
+    squares += ratio * ratio;
+  }
+  const double mean = sum / heaps, variance = (squares - heaps * mean * mean) / (heaps - 1);
+  std::printf("A4.4 logarithm of the ratio of slopes: mean %.2f, scatter %.2f\n", mean, std::sqrt(variance));
+  CHECK(std::abs(mean) <= 3 * std::sqrt(variance / heaps));
+}
