@@ -1,11 +1,8 @@
 #include "force/potential/space/near_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
-
-#include "simd/two_lanes.h"
 
 namespace halfspace {
 
@@ -27,22 +24,6 @@ void NearFaces::begin(const ClippedPolyhedron& overlap) {
   }
 }
 
-DepthRange NearFaces::sound(const Halfspace<3>& plane, std::size_t row) {
-  grow(depths_, (row + 1) * stride_);
-  const double *const x = corners_.data(), *const y = x + stride_, *const z = y + stride_;
-  double* const depths = depths_.data() + row * stride_;
-  const TwoLanes nx = both(plane.normal.x()), ny = both(plane.normal.y()), nz = both(plane.normal.z());
-  TwoLanes least = both(HUGE_VAL), most = both(-HUGE_VAL);
-  for (std::size_t i = 0; i < stride_; i += 2) {
-    const TwoLanes height = nx * load_two(x + i) + ny * load_two(y + i) + nz * load_two(z + i);
-    const TwoLanes depth = both(plane.offset) - height;
-    store_two(depths + i, depth);
-    least = min(least, depth);
-    most = max(most, depth);
-  }
-  return {std::min(least[0], least[1]), std::max(most[0], most[1])};
-}
-
 /// Is no corner nearer to a face than to another? Then no point of the overlap is.
 bool NearFaces::is_nowhere_nearer(const Face& face, const Face& than) const {
   const double* const depths = depths_of(face);
@@ -52,12 +33,15 @@ bool NearFaces::is_nowhere_nearer(const Face& face, const Face& than) const {
 /// A face behind which all of the overlap is deeper than `reach` is never the nearest, nor is one that is
 /// nowhere nearer than another.
 void NearFaces::find(const PlacedBlock& owner, const double* min_depth, double reach) {
+  const double *const x = corners_.data(), *const y = x + stride_, *const z = y + stride_;
   faces_.clear();
   for (int f = 0; f < owner.outline.face_count(); ++f) {
     if (!(min_depth[f] <= reach)) continue;
     const Halfspace<3> plane = owner.plane(f);
-    const DepthRange depths = sound(plane, faces_.size());
-    faces_.push_back({plane, depths, faces_.size()});
+    const std::size_t row = faces_.size();
+    grow(depths_, (row + 1) * stride_);
+    const DepthRange depths = sound(stride_, x, y, z, plane, depths_.data() + row * stride_);
+    faces_.push_back({plane, depths, row});
     reach = std::min(reach, depths.most);
   }
   std::erase_if(faces_, [&](const Face& face) { return !(face.depths.least <= reach); });

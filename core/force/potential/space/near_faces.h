@@ -38,7 +38,6 @@ class NearFaces {
   };
 
   const double* depths_of(const Face& face) const { return depths_.data() + face.row * stride_; }
-  DepthRange sound(const Halfspace<3>& plane, std::size_t row);
   bool is_nowhere_nearer(const Face& face, const Face& than) const;
 
   Array<double> corners_;  // of the overlap: all x, all y, all z
