@@ -36,8 +36,8 @@ constexpr double proof_margin = 1.001;
 /// Noticed by nothing.
 constexpr double sliver_rounding = 1e8;
 
-/// Fraction of themselves. Impulses, changes of velocity and depths that differ by less are equal. Half: the
-/// solver's noise makes impacts, and breaks bonds at their strength.
+/// Fraction of themselves. Impulses, changes of velocity, masses and depths that differ by less are equal.
+/// Half: the solver's noise makes impacts, and breaks bonds at their strength.
 /// Noticed by bits.
 constexpr double equal_within = 1e-6;
 
@@ -104,11 +104,6 @@ constexpr double revealed_cosine = 0.5;
 /// parallel planes a rate is 0 to rounding, and a basis with that pivot would be singular.
 /// Noticed by nothing.
 constexpr double singular_pivot = 0x1p-26;
-
-/// Fraction of the inverse effective mass along the normal. That along a face is no less: where supports of
-/// both blocks hold a contact, friction only opposes the slip.
-/// Noticed by nothing.
-constexpr double held_mass = 1e-6;
 
 // Touching: is a point on a face, is a gap one?
 
@@ -259,11 +254,10 @@ constexpr double created_ratio = 0.995;
 /// Noticed by tests.
 constexpr double min_loss = 1e-8, max_loss = 1e-3;
 
-/// Multiple of the energy of the changes of velocity. Lacking work above it may be a jam, above the second it
-/// is: where impulses have converged it is 0. Half: heavy loads on slow solves are jams. Double: jams take
-/// more sweeps.
+/// Multiple of the energy of the changes of velocity. Lacking work above it is a jam: where impulses have
+/// converged it is 0. Half: heavy loads on slow solves are jams. Double: jams take more sweeps.
 /// Noticed by nothing.
-constexpr double suspected_ratio = 1, jammed_ratio = 10;
+constexpr double jammed_ratio = 10;
 
 /// Fraction of the work of prescribed blocks, regardless of sign. Those that move together, as the walls of a
 /// box, do no work against each other. Half: boxes that turn are jams. Double: none is one.

@@ -243,7 +243,9 @@ void PointContactSearch<D>::place(ContactConstraint<D>& at) const {
   at.normal_velocity_response = mobility * at.normal;
   at.normal_inverse_mass = at.normal.dot(at.normal_velocity_response);
   const double across = D == 2 ? mobility.trace() - at.normal_inverse_mass : mobility.norm();
-  at.shear_inverse_mass = std::max(across, held_mass * at.normal_inverse_mass);
+  // Where supports of both blocks hold a contact, nothing moves across it, and friction only opposes the
+  // slip.
+  at.shear_inverse_mass = std::max(across, equal_within * at.normal_inverse_mass);
 }
 
 template <int D>

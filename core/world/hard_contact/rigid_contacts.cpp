@@ -88,12 +88,13 @@ bool RigidContacts<D>::stands(Half half, double duration) {
          solver_.is_solved(problem_, settings_of(half, duration)) && rest_.hold_all(half, problem_, speed);
 }
 
+/// Impulses that have not converged, and lack more work than they make, may be those of a jam.
 template <int D>
 bool RigidContacts<D>::solve(Half half, double duration) {
   jam_.reset();
   if (stands(half, duration)) return true;
   const ImpulseResult result = solver_.solve(problem_, settings_of(half, duration));
-  if (!result.has_converged && find_jam(half, suspected_ratio)) {
+  if (!result.has_converged && find_jam(half, 1)) {
     jam_ =
         solver_.ask_after_sweeps(problem_, sweeps_of_suspect, [&] { return find_jam(half, jammed_ratio); });
     next_iterations_ += sweeps_of_suspect;
