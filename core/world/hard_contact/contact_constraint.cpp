@@ -4,12 +4,9 @@
 #include <cmath>
 
 #include "geometry/tolerances.h"
-#include "world/hard_contact/stall.h"
 
 namespace halfspace {
 namespace {
-
-constexpr int max_iterations = 1000;
 
 /// The impulse that stops a contact if all others keep theirs, projected onto the friction cone: the normal
 /// part first, then the shear part with the velocity that remains. Both depend on each other where a block
@@ -42,7 +39,7 @@ bool ContactConstraint<D>::fails(const Vector<D>& left) const {
 }
 
 template <int D>
-double ConstraintSweeps<D>::begin() {
+double PointRows<D>::begin() {
   double fastest = 0;
   for (ContactConstraint<D>& at : constraints_) {
     changes_.add(at.of_a, at.impulse);
@@ -55,7 +52,7 @@ double ConstraintSweeps<D>::begin() {
 }
 
 template <int D>
-double ConstraintSweeps<D>::sweep(bool is_backwards) {
+double PointRows<D>::sweep(bool is_backwards) {
   double changed = 0;
   const auto visit = [&](ContactConstraint<D>& at) {
     const Vector<D> velocity = at.velocity + changes_.at(at.of_a) - changes_.at(at.of_b);
@@ -76,7 +73,7 @@ double ConstraintSweeps<D>::sweep(bool is_backwards) {
 }
 
 template <int D>
-double ConstraintSweeps<D>::squared_change() const {
+double PointRows<D>::squared_change() const {
   double length = 0;
   for (const ContactConstraint<D>& at : constraints_)
     length += (at.impulse - at.previous_impulse).squaredNorm() * at.normal_inverse_mass;
@@ -84,7 +81,7 @@ double ConstraintSweeps<D>::squared_change() const {
 }
 
 template <int D>
-void ConstraintSweeps<D>::accelerate(const ConjugateDirection& direction) {
+void PointRows<D>::accelerate(const ConjugateDirection& direction) {
   for (ContactConstraint<D>& at : constraints_) {
     const Vector<D> more = direction.advance(at.impulse, at.previous_impulse, at.direction);
     changes_.add(at.of_a, more);
@@ -92,30 +89,9 @@ void ConstraintSweeps<D>::accelerate(const ConjugateDirection& direction) {
   }
 }
 
-template <int D>
-int solve_constraints(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes) {
-  ConstraintSweeps<D> sweeps(constraints, changes);
-  double fastest = sweeps.begin();
-  Stall stall;
-  ConjugateDirection direction;
-  for (int iteration = 1; iteration <= max_iterations; ++iteration) {
-    const bool is_backwards = iteration % 2 == 0;
-    const double changed = sweeps.sweep(is_backwards);
-    fastest = std::max(fastest, changed);
-    if (changed <= converged_change * fastest || stall.is_reached(changed)) return iteration;
-    if (is_backwards) {
-      direction.update(sweeps.squared_change());
-      sweeps.accelerate(direction);
-    }
-  }
-  return max_iterations;
-}
-
 template struct ContactConstraint<2>;
 template struct ContactConstraint<3>;
-template class ConstraintSweeps<2>;
-template class ConstraintSweeps<3>;
-template int solve_constraints(std::span<ContactConstraint<2>>, VelocityChange<2>&);
-template int solve_constraints(std::span<ContactConstraint<3>>, VelocityChange<3>&);
+template class PointRows<2>;
+template class PointRows<3>;
 
 }  // namespace halfspace

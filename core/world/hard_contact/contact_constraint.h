@@ -65,11 +65,13 @@ struct ContactConstraint : PointContact<D> {
   bool fails(const Vector<D>& left) const;
 };
 
-/// Sweeps of projected Gauss-Seidel over constraints, on the changes of velocity.
+/// Constraints as rows of AcceleratedSweeps, on the blocks' changes of velocity. Their impulses are normal
+/// ones within the tension limit and shear ones within friction and cohesion, and leave no relative velocity
+/// where neither is at its limit. The impulses given are the warm start.
 template <int D>
-class ConstraintSweeps {
+class PointRows {
  public:
-  ConstraintSweeps(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes)
+  PointRows(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes)
       : constraints_(constraints), changes_(changes) {}
 
   /// Applies the warm start. Returns the largest velocity by an impulse of it.
@@ -85,18 +87,7 @@ class ConstraintSweeps {
   VelocityChange<D>& changes_;
 };
 
-/// Computes the impulses of all constraints together: normal impulses within the tension limit, shear
-/// impulses within friction and cohesion, and no relative velocity where neither is at its limit. The
-/// impulses given are the warm start.
-///
-/// Projected Gauss-Seidel, accelerated by nonsmooth conjugate gradients, on the blocks' changes of velocity:
-/// the cost per contact does not depend on their number. Returns the number of iterations.
-template <int D>
-int solve_constraints(std::span<ContactConstraint<D>> constraints, VelocityChange<D>& changes);
-
-extern template class ConstraintSweeps<2>;
-extern template class ConstraintSweeps<3>;
-extern template int solve_constraints(std::span<ContactConstraint<2>>, VelocityChange<2>&);
-extern template int solve_constraints(std::span<ContactConstraint<3>>, VelocityChange<3>&);
+extern template class PointRows<2>;
+extern template class PointRows<3>;
 
 }  // namespace halfspace

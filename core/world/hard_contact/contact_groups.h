@@ -140,6 +140,19 @@ class ContactGroups {
   Array<std::uint8_t> is_placed_;  // each contact, while they are arranged
 };
 
+/// The manifolds of a part as rows of AcceleratedSweeps.
+template <int D>
+struct ManifoldRows {
+  double sweep(bool is_backwards) { return groups.sweep(part, is_backwards, has_friction); }
+  double squared_change() const { return groups.squared_change(part); }
+  void accelerate(const ConjugateDirection& direction) { groups.accelerate(part, direction); }
+  void restart_acceleration() { groups.restart_acceleration(part); }
+
+  ContactGroups<D>& groups;
+  typename ContactGroups<D>::Part part;
+  bool has_friction = true;
+};
+
 extern template class ContactGroups<2>;
 extern template class ContactGroups<3>;
 

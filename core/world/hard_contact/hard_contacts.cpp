@@ -4,11 +4,6 @@
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
-namespace {
-
-constexpr int max_mixed_sweeps = 1000;
-
-}  // namespace
 
 template <int D>
 void HardContacts<D>::begin(double duration) {
@@ -99,7 +94,7 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
   together_.keep_start(problem);
   ImpulseResult result = sweep(1);
   const double change = together_.change_of_manifolds();
-  if (!is_balanced(result) && next_pause_.ends_now()) {
+  if (!result.is_balanced() && next_pause_.ends_now()) {
     together_.return_to_start(problem, points_.constraints());
     rigid_.set_motions(half);
     rigid_.solve(half, duration);
@@ -111,7 +106,7 @@ bool HardContacts<D>::solve_together(Half half, double duration) {
       next_pause_.begin_longer();
     }
   }
-  if (!is_balanced(result)) result = sweep(max_mixed_sweeps);
+  if (!result.is_balanced()) result = sweep(max_sweeps_of_points);
   rigid_.take_impulses_beside_points(half, result);
   changes().begin(duration);
   points_.push();

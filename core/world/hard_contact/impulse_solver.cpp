@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/tolerances.h"
-#include "world/hard_contact/stall.h"
 
 namespace halfspace {
 namespace {
@@ -50,7 +49,6 @@ bool ImpulseSolver<D>::solve_active_sets(ImpulseProblem<D>& problem, std::size_t
   const double left = active_set_.solve(problem, island, tolerance, is_cold);
   if (!(left <= std::max(helpful, tolerance))) return false;
   groups_.renew(groups_.island(island), problem);
-  restart_acceleration(groups_.island(island));
   unbalanced = left;
   return true;
 }
@@ -77,22 +75,19 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
   const bool is_in_motion = pause.length > 0, uses_active_sets = pause.ends_now();
   const bool slips = is_in_motion && problem.max_slip(island, slip_fraction * settings.speed);
   double fastest = groups_.begin(groups);
-  conjugate_ = {};
+  ManifoldRows<D> rows{groups_, groups};
+  AcceleratedSweeps sweeps(rows);
   ImpulseResult result;
-  if (fastest == 0 && uses_active_sets) {
-    solve_active_sets(problem, island, settings.tolerance * settings.speed, HUGE_VAL, result.unbalanced,
-                      true);
-  }
+  if (fastest == 0 && uses_active_sets &&
+      solve_active_sets(problem, island, settings.tolerance * settings.speed, HUGE_VAL, result.unbalanced,
+                        true))
+    sweeps.restart();
   Stall stall;
   int wait = slips ? settings.sweeps_in_motion() : first_sweeps, next_active_set = wait;
   bool have_sets_helped = false, has_restarted = false;
-  bool is_symmetric = false;  // since the last acceleration: as many sweeps forwards as backwards
   for (int i = 1; i <= std::max(max_sweeps, settings.max_iterations); ++i) {
-    const bool is_backwards = i % 2 == 0;
-    if (is_symmetric) accelerate(groups);
-    is_symmetric = is_backwards;
     result.iterations = i;
-    result.unbalanced = groups_.sweep(groups, is_backwards);
+    result.unbalanced = sweeps.next();
     fastest = std::max(fastest, result.unbalanced);
     const double tolerance = settings.tolerance_for(fastest);
     result.has_converged = result.unbalanced <= tolerance;
@@ -104,7 +99,7 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
       const double before = result.unbalanced, helpful = worthwhile * settings.scale(fastest);
       if (solve_active_sets(problem, island, tolerance, helpful, result.unbalanced, false)) {
         have_sets_helped = true;
-        is_symmetric = false;
+        sweeps.restart();
         result.has_converged = result.unbalanced <= tolerance;
         if (result.has_converged) break;
       }
@@ -115,9 +110,9 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
     if (!stall.is_reached(result.unbalanced)) continue;
     if (is_quiet || has_restarted || i + 2 * normal_sweeps > max_sweeps) break;
     sweep_normals(groups);
+    sweeps.restart();
     i += normal_sweeps;
     has_restarted = true;
-    is_symmetric = false;
     stall = {};
   }
   const bool are_sets_of_use = have_sets_helped && !slips;
@@ -134,9 +129,11 @@ ImpulseResult ImpulseSolver<D>::solve_island(ImpulseProblem<D>& problem, std::si
 /// the impact of a column, that may come to a cycle. From the solution without friction it does not.
 template <int D>
 void ImpulseSolver<D>::sweep_normals(const Part& part) {
-  sweep_only(part, normal_sweeps, false);
-  accelerate(part);
-  restart_acceleration(part);
+  ManifoldRows<D> rows{groups_, part, false};
+  AcceleratedSweeps sweeps(rows);
+  sweeps.restart();
+  for (int i = 0; i < normal_sweeps; ++i) sweeps.next();
+  sweeps.accelerate();
 }
 
 /// The longest pause of the island's blocks, which may have been in different ones: sets fail where they fail
@@ -158,18 +155,12 @@ void ImpulseSolver<D>::set_pause(const ImpulseProblem<D>& problem, std::size_t i
 }
 
 template <int D>
-void ImpulseSolver<D>::sweep_only(const Part& part, int count, bool has_friction) {
-  restart_acceleration(part);
-  for (int i = 1; i <= count; ++i) {
-    groups_.sweep(part, i % 2 == 0, has_friction);
-    if (i % 2 == 0 && i < count) accelerate(part);
-  }
-}
-
-template <int D>
 void ImpulseSolver<D>::sweep_only(ImpulseProblem<D>& problem, int count) {
   groups_.take(problem);
-  sweep_only(groups_.all(), count, true);
+  ManifoldRows<D> rows{groups_, groups_.all()};
+  AcceleratedSweeps sweeps(rows);
+  sweeps.restart();
+  for (int i = 0; i < count; ++i) sweeps.next();
   groups_.give(groups_.all(), problem);
 }
 

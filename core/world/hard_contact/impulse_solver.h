@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "geometry/tolerances.h"
+#include "world/hard_contact/accelerated_sweeps.h"
 #include "world/hard_contact/active_set.h"
-#include "world/hard_contact/conjugate_direction.h"
 #include "world/hard_contact/contact_groups.h"
 #include "world/hard_contact/impulse_problem.h"
 
@@ -36,21 +36,6 @@ struct ImpulseSettings {
   }
 };
 
-struct ImpulseResult {
-  int iterations = 0;
-  double unbalanced = 0;  // m/s, the largest velocity that the last iteration changed
-  bool has_converged = true;
-  double fastest = 0;  // m/s, the largest velocity by an impulse
-
-  /// Takes that of another island, too.
-  void add(const ImpulseResult& other) {
-    iterations = std::max(iterations, other.iterations);
-    unbalanced = std::max(unbalanced, other.unbalanced);
-    has_converged = has_converged && other.has_converged;
-    fastest = std::max(fastest, other.fastest);
-  }
-};
-
 /// Active sets do not settle where many blocks move past each other. They are then tried in one solve of an
 /// island out of 2, 4, up to 64.
 struct SolverPause {
@@ -73,9 +58,8 @@ struct SolverPause {
   std::int32_t left = 0;    // of these still to come
 };
 
-/// Solves impulse problems, island by island, from a warm start by sweeps of projected Gauss-Seidel (NLGS,
-/// Jean 1999), accelerated by nonsmooth conjugate gradients, and by active sets, which solve stacks and walls
-/// exactly in a few factorizations.
+/// Solves impulse problems, island by island, from a warm start by accelerated sweeps, and by active sets,
+/// which solve stacks and walls exactly in a few factorizations.
 template <int D>
 class ImpulseSolver {
  public:
@@ -114,25 +98,15 @@ class ImpulseSolver {
                          double& unbalanced, bool is_cold);
   ImpulseResult solve_island(ImpulseProblem<D>& problem, std::size_t island,
                              const ImpulseSettings& of_motion);
-  void sweep_only(const Part& part, int count, bool has_friction);
   void sweep_normals(const Part& part);
   SolverPause pause_of(const ImpulseProblem<D>& problem, std::size_t island) const;
   void set_pause(const ImpulseProblem<D>& problem, std::size_t island, const SolverPause& pause);
-  void restart_acceleration(const Part& part) {
-    conjugate_ = {};
-    groups_.restart_acceleration(part);
-  }
-  void accelerate(const Part& part) {
-    conjugate_.update(groups_.squared_change(part));
-    groups_.accelerate(part, conjugate_);
-  }
 
   ActiveSet<D> active_set_;
   ContactGroups<D> groups_;
   Array<SolverPause> pauses_;  // of each block
   Array<double> start_;        // of ask_after_sweeps()
   Array<BlockMotion<D>> start_motions_;
-  ConjugateDirection conjugate_;
 };
 
 extern template class ImpulseSolver<2>;

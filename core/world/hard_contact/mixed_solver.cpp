@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "world/hard_contact/stall.h"
-
 namespace halfspace {
 
 template <int D>
@@ -22,54 +20,68 @@ void MixedSolver<D>::find_shared(const ImpulseProblem<D>& problem,
   for (const std::size_t block : shared_) before_.push_back(problem.motions[block]);
 }
 
+/// Manifolds, then points. Each side computes with motions of its own, and takes over those of shared blocks
+/// from the other.
+template <int D>
+struct MixedSolver<D>::MixedRows {
+  double begin() {
+    const double of_manifolds = manifolds.groups.begin(manifolds.part);
+    solver.tell_points(changes);
+    const double of_points = points.begin();
+    solver.tell_manifolds(changes);
+    return std::max(of_manifolds, of_points);
+  }
+  double sweep(bool is_backwards) {
+    double of_points = 0;
+    if (is_backwards) of_points = sweep_points(is_backwards);
+    solver.of_manifolds_ = manifolds.sweep(is_backwards);
+    solver.tell_points(changes);
+    if (!is_backwards) of_points = sweep_points(is_backwards);
+    return std::max(solver.of_manifolds_, of_points);
+  }
+  double sweep_points(bool is_backwards) {
+    const double changed = points.sweep(is_backwards);
+    solver.tell_manifolds(changes);
+    return changed;
+  }
+  double squared_change() const { return manifolds.squared_change() + points.squared_change(); }
+  void accelerate(const ConjugateDirection& direction) {
+    manifolds.accelerate(direction);
+    solver.tell_points(changes);
+    points.accelerate(direction);
+    solver.tell_manifolds(changes);
+  }
+
+  MixedSolver& solver;
+  VelocityChange<D>& changes;
+  ManifoldRows<D> manifolds;
+  PointRows<D> points;
+};
+
+template <int D>
+void MixedSolver<D>::tell_points(VelocityChange<D>& changes) const {
+  for (std::size_t k = 0; k < shared_.size(); ++k)
+    changes.set_motion(shared_[k], groups_.motion(shared_[k]) - before_[k]);
+}
+
+template <int D>
+void MixedSolver<D>::tell_manifolds(const VelocityChange<D>& changes) {
+  for (std::size_t k = 0; k < shared_.size(); ++k) {
+    BlockMotion<D> motion = before_[k];
+    motion += changes.of_motion(shared_[k]);
+    groups_.set_motion(shared_[k], motion);
+  }
+}
+
 template <int D>
 ImpulseResult MixedSolver<D>::solve(ImpulseProblem<D>& problem, std::span<ContactConstraint<D>> points,
                                     VelocityChange<D>& changes, const ImpulseSettings& settings,
                                     int max_sweeps) {
   find_shared(problem, points);
-  // Each side computes with motions of its own, and takes over those of shared blocks from the other.
-  const auto tell_points = [&] {
-    for (std::size_t k = 0; k < shared_.size(); ++k)
-      changes.set_motion(shared_[k], groups_.motion(shared_[k]) - before_[k]);
-  };
-  const auto tell_manifolds = [&] {
-    for (std::size_t k = 0; k < shared_.size(); ++k) {
-      BlockMotion<D> motion = before_[k];
-      motion += changes.of_motion(shared_[k]);
-      groups_.set_motion(shared_[k], motion);
-    }
-  };
-  ConstraintSweeps<D> sweeps(points, changes);
   groups_.take(problem);
-  double fastest = groups_.begin(groups_.all());
-  tell_points();
-  fastest = std::max(fastest, sweeps.begin());
-  tell_manifolds();
-  ConjugateDirection direction;
-  Stall stall;
-  ImpulseResult result;
-  for (int i = 1; i <= max_sweeps; ++i) {
-    const bool is_forwards = i % 2 == 0;
-    double of_points = 0;
-    const auto sweep_points = [&] {
-      of_points = sweeps.sweep(!is_forwards);
-      tell_manifolds();
-    };
-    if (!is_forwards) sweep_points();
-    of_manifolds_ = groups_.sweep(groups_.all(), !is_forwards);
-    tell_points();
-    if (is_forwards) sweep_points();
-    const double changed = std::max(of_manifolds_, of_points);
-    fastest = std::max(fastest, changed);
-    result = {i, changed, changed <= settings.tolerance_for(fastest), fastest};
-    if (is_balanced(result) || stall.is_reached(changed)) break;
-    if (!is_forwards) continue;
-    direction.update(groups_.squared_change(groups_.all()) + sweeps.squared_change());
-    groups_.accelerate(groups_.all(), direction);
-    tell_points();
-    sweeps.accelerate(direction);
-    tell_manifolds();
-  }
+  MixedRows rows{*this, changes, {groups_, groups_.all()}, {points, changes}};
+  ImpulseResult result = balance(rows, rows.begin(), max_sweeps, true);
+  result.has_converged = result.unbalanced <= settings.tolerance_for(result.fastest);
   groups_.give(groups_.all(), problem);
   return result;
 }

@@ -1,16 +1,10 @@
 #pragma once
 
-#include "geometry/tolerances.h"
 #include "world/hard_contact/contact_constraint.h"
 #include "world/hard_contact/contact_groups.h"
 #include "world/hard_contact/impulse_solver.h"
 
 namespace halfspace {
-
-/// Would no point leave its face by what remains?
-inline bool is_balanced(const ImpulseResult& result) {
-  return result.unbalanced <= converged_change * result.fastest;
-}
 
 /// Solves the manifolds of rigid blocks and the points of others together, where blocks have both: sweeps
 /// over all of them are one iteration, accelerated by one conjugate direction.
@@ -41,7 +35,10 @@ class MixedSolver {
   void forget_shared() { shared_.clear(); }
 
  private:
+  struct MixedRows;
   void find_shared(const ImpulseProblem<D>& problem, std::span<const ContactConstraint<D>> points);
+  void tell_points(VelocityChange<D>& changes) const;
+  void tell_manifolds(const VelocityChange<D>& changes);
 
   const Blocks<D>& blocks_;
   ContactGroups<D> groups_;

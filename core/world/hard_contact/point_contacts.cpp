@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/tolerances.h"
+#include "world/hard_contact/accelerated_sweeps.h"
 #include "world/hard_contact/limits.h"
 
 namespace halfspace {
@@ -81,6 +82,13 @@ void PointContacts<D>::find(double time, double duration) {
   search_.find(predicted_);
   remember(predicted_, time, duration);
   for (ContactConstraint<D>& at : predicted_) begin(at, duration);
+}
+
+template <int D>
+void PointContacts<D>::solve() {
+  if (empty()) return;
+  PointRows<D> rows(predicted_, changes());
+  next_iterations_ += balance(rows, rows.begin(), max_sweeps_of_points).iterations;
 }
 
 template <int D>

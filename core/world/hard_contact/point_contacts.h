@@ -53,9 +53,7 @@ class PointContacts {
   /// Takes the memory of the end of the motion.
   void reserve() { next_known_.reserve(predicted_.size()); }
   /// Adds the changes of velocity by its impulses.
-  void solve() {
-    if (!empty()) next_iterations_ += solve_constraints<D>(predicted_, changes());
-  }
+  void solve();
   /// Adds the changes of velocity by its impulses, times a factor.
   void push(double scale = 1);
   /// The contacts of the predicted motion, for a solver of more than these.
