@@ -30,8 +30,8 @@ struct OnTop {
 
   PairLoad<2> press(const ContactLaw& law, double elapsed) {
     energy = {};
-    return Spring<2>(law, 1, elapsed)
-        .evaluate(contact, PointSprings<2>{{0.5, 0.5}}, motion, shear, bonded, energy);
+    return Spring<2>{law, 1, elapsed}.evaluate(contact, PointSprings<2>{{0.5, 0.5}}, motion, shear, bonded,
+                                               energy);
   }
 };
 

@@ -25,7 +25,7 @@ const Vector<D>& direction_of(const Contact<D>& contact, const Pressure<D>& pres
 
 template <int D>
 double Spring<D>::viscosity(double share_of_critical, double stiffness) const {
-  return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass_);
+  return share_of_critical == 0 ? 0 : 2 * share_of_critical * std::sqrt(stiffness * reduced_mass);
 }
 
 /// One spring at each point of the region (eq. 36), with a dashpot in parallel.
@@ -37,22 +37,22 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
   NormalPart normal;
   normal.base = base_of(contact);
   Vector<D> weighted = Vector<D>::Zero(), weighted_viscous = Vector<D>::Zero();
-  const double viscosity_of_all = viscosity(law_.normal_damping, law_.normal_stiffness);
+  const double viscosity_of_all = viscosity(law.normal_damping, law.normal_stiffness);
   // The opening velocity is linear over the contact plane. In 2D its slope is of no use for two points.
   double opening_at_first = 0;
   Vector<D> slope = Vector<D>::Zero();
-  if (D == 3 && law_.normal_damping > 0) {
+  if (D == 3 && law.normal_damping > 0) {
     opening_at_first = contact.normal.dot(motion.relative_at(contact.points[0]));
     slope = motion.opening_slope(contact.normal);
   }
   for (int i = 0; i < contact.point_count; ++i) {
     const double depth = -contact.gaps[i];
     if (depth < 0 && !bonded) continue;
-    const double stiffness = springs.part[i] * law_.normal_stiffness;
+    const double stiffness = springs.part[i] * law.normal_stiffness;
     const double elastic = stiffness * depth;
     energy.strain += 0.5 * elastic * depth;
     double viscous = 0;
-    if (law_.normal_damping > 0) {
+    if (law.normal_damping > 0) {
       const Vector<D>& p = contact.points[i];
       const double opening = D == 2 ? contact.normal.dot(motion.relative_at(p))
                                     : opening_at_first + slope.dot(p - contact.points[0]);
@@ -72,12 +72,12 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     const Vector<D> moment_arm = weighted - normal.force * normal.center;
     normal.couple = moment(moment_arm, contact.normal);
   }
-  if (law_.normal_damping > 0) {
+  if (law.normal_damping > 0) {
     const Vector<D> moment_arm = weighted_viscous - normal.viscous_force * normal.center;
     normal.viscous_couple = moment(moment_arm, contact.normal);
   }
   if constexpr (D == 3) {
-    if (law_.resists_shear()) {
+    if (law.resists_shear()) {
       const LoadedPart part = loaded_part(contact, bonded);
       normal.middle = part.middle;
       normal.twist_radius = part.mean_distance;
@@ -101,25 +101,25 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
     const JointFace<D> face = joint_face(contact);
     normal.base = face.base;
     normal.center = normal.middle = face.center;
-    normal.force = law_.normal_stiffness * face.force;
-    normal.couple = law_.normal_stiffness * face.couple;
-    energy.strain += 0.5 * law_.normal_stiffness * face.depth_squared;
+    normal.force = law.normal_stiffness * face.force;
+    normal.couple = law.normal_stiffness * face.couple;
+    energy.strain += 0.5 * law.normal_stiffness * face.depth_squared;
     bed.spread = face.spread;
   } else {
     normal.base = pressure.base;
     const Vector<D> way = pressure.way_to_center();
     normal.middle = pressure.middle;
     normal.center = pressure.middle + way;
-    normal.force = law_.normal_stiffness * pressure.normal_force();
-    normal.couple = law_.normal_stiffness * (pressure.couple() - moment(way, pressure.force));
+    normal.force = law.normal_stiffness * pressure.normal_force();
+    normal.couple = law.normal_stiffness * (pressure.couple() - moment(way, pressure.force));
     if (motion.strain_rates) normal.act_in_middle(pressure.normal);
-    energy.strain += law_.normal_stiffness * pressure.energy;
+    energy.strain += law.normal_stiffness * pressure.energy;
     bed.spread = pressure.spread;
     bed.unevenness = pressure.unevenness();
   }
   normal.twist_radius = mean_distance(bed.spread);
   bed.middle = normal.middle;
-  bed.stiffness = law_.normal_stiffness * normal.base;
+  bed.stiffness = law.normal_stiffness * normal.base;
   bed.reach = certain_reach_of_area;
   damp(direction_of(contact, pressure, bonded), motion, bonded, bed, normal);
   return normal;
@@ -132,10 +132,10 @@ typename Spring<D>::NormalPart Spring<D>::normal_part(const Contact<D>& contact,
 template <int D>
 void Spring<D>::damp(const Vector<D>& direction, const PairMotion<D>& motion, bool bonded, const Bed& bed,
                      NormalPart& normal) const {
-  if (law_.normal_damping == 0) return;
+  if (law.normal_damping == 0) return;
   const double opening = direction.dot(motion.relative_at(bed.middle));
   const Vector<D> slope = motion.opening_slope(direction), tilting = bed.spread * slope;
-  double viscosity_here = viscosity(law_.normal_damping, bed.stiffness);
+  double viscosity_here = viscosity(law.normal_damping, bed.stiffness);
   if (!bonded) {
     const double pull = opening + std::sqrt(std::max(slope.dot(tilting), 0.0)) / bed.reach;
     const double most = (1 - bed.unevenness) * normal.force;
@@ -153,24 +153,24 @@ typename Spring<D>::ShearTrial Spring<D>::shear_trial(const NormalPart& normal, 
                                                       const PairMotion<D>& motion,
                                                       ShearSpring<D>& spring) const {
   ShearTrial trial;
-  if (!law_.resists_shear()) return trial;
-  trial.stiffness = whole_stiffness(law_.shear_stiffness, normal);
+  if (!law.resists_shear()) return trial;
+  trial.stiffness = whole_stiffness(law.shear_stiffness, normal);
   trial.velocity = slip_velocity(motion.relative_at(normal.middle), direction, motion, normal.twist_radius);
-  trial.before = carried(spring, direction, motion, elapsed_);
+  trial.before = carried(spring, direction, motion, elapsed);
   if constexpr (D == 3) {
-    if (law_.is_potential() && normal.twist_radius > 0)
-      move(spring, trial.before, normal.middle, normal.twist_radius, direction, motion, elapsed_);
+    if (law.is_potential() && normal.twist_radius > 0)
+      move(spring, trial.before, normal.middle, normal.twist_radius, direction, motion, elapsed);
   }
   trial.force = trial.before;
   if (trial.stiffness < spring.stiffness) trial.force *= trial.stiffness / spring.stiffness;
-  trial.force -= trial.stiffness * (elapsed_ * trial.velocity);
+  trial.force -= trial.stiffness * (elapsed * trial.velocity);
   return trial;
 }
 
 template <int D>
 double Spring<D>::shear_limit(const NormalPart& normal, bool bonded) const {
-  const double friction = std::max(normal.force, 0.0) * law_.tan_friction;
-  return bonded ? friction + law_.cohesion * normal.base : friction;
+  const double friction = std::max(normal.force, 0.0) * law.tan_friction;
+  return bonded ? friction + law.cohesion * normal.base : friction;
 }
 
 template <int D>
@@ -182,8 +182,8 @@ bool Spring<D>::holds(const NormalPart& normal, const ShearTrial& trial) const {
 /// faces have a gap or an overlap by rounding, and dashpots pull on closed faces, too.
 template <int D>
 bool Spring<D>::is_torn(const NormalPart& normal) const {
-  if (law_.tensile_strength > 0) return -normal.force > law_.tensile_strength * normal.base;
-  const double stiffness = whole_stiffness(law_.normal_stiffness, normal);
+  if (law.tensile_strength > 0) return -normal.force > law.tensile_strength * normal.base;
+  const double stiffness = whole_stiffness(law.normal_stiffness, normal);
   const double size = D == 2 ? normal.base : std::sqrt(normal.base);
   const double elastic = normal.force - normal.viscous_force;
   return -elastic > stiffness * touch_reach * size;
@@ -199,7 +199,7 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
                                                      const Vector<D>& direction, ShearSpring<D>& spring,
                                                      bool bonded, ContactEnergy& energy) const {
   const auto& [stiffness, velocity, before, stuck] = trial;
-  const Shear<D> slip = elapsed_ * velocity;
+  const Shear<D> slip = elapsed * velocity;
   const double limit = shear_limit(normal, bonded), wanted = stuck.norm();
   Shear<D> force = stuck;
   const bool slides = wanted > limit;
@@ -214,8 +214,8 @@ typename Spring<D>::ShearPart Spring<D>::shear_force(const NormalPart& normal, c
   energy.strain += stored;
   remember(spring, force, stiffness, direction);
 
-  if (law_.shear_damping == 0 || slides) return {force};
-  Shear<D> total = force - viscosity(law_.shear_damping, stiffness) * velocity;
+  if (law.shear_damping == 0 || slides) return {force};
+  Shear<D> total = force - viscosity(law.shear_damping, stiffness) * velocity;
   const double length = total.norm();
   if (length > limit) total *= limit / length;
   return {total, total - force};
@@ -228,8 +228,8 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
   PairLoad<D> load;
   load.contact = {normal.force * direction, normal.center, normal.couple};
   load.normal = direction;
-  if (law_.is_damped()) load.viscous = {normal.viscous_force * direction, normal.viscous_couple};
-  if (!law_.resists_shear()) return load;
+  if (law.is_damped()) load.viscous = {normal.viscous_force * direction, normal.viscous_couple};
+  if (!law.resists_shear()) return load;
   const ShearPart shear = shear_force(normal, trial, direction, spring, bonded, energy);
   const auto add = [&](const Shear<D>& part, auto& to) {
     const Vector<D> force = shear_vector(part, direction);
@@ -239,7 +239,7 @@ PairLoad<D> Spring<D>::load(const NormalPart& normal, const ShearTrial& trial, c
                    moment(normal.middle - normal.center, force);
   };
   add(shear.force, load.contact);
-  if (law_.shear_damping > 0) add(shear.viscous, load.viscous);
+  if (law.shear_damping > 0) add(shear.viscous, load.viscous);
   return load;
 }
 
@@ -280,8 +280,8 @@ PairLoad<D> Spring<D>::evaluate(const LineOfAction<D>& line, const PairMotion<D>
   return load(normal, trial, line.direction, spring, false, energy);
 }
 
-template class Spring<2>;
-template class Spring<3>;
+template struct Spring<2>;
+template struct Spring<3>;
 #define HALFSPACE_EVALUATE(D, BASE)                                                              \
   template PairLoad<D> Spring<D>::evaluate(const Contact<D>&, const BASE&, const PairMotion<D>&, \
                                            ShearSpring<D>&, std::int32_t&, ContactEnergy&) const;

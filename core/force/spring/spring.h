@@ -56,11 +56,10 @@ struct ContactEnergy {
 /// Force of a contact: by penalty (Wang et al. 2021, eqs. 36-40) or by potentials. Its only state is the
 /// shear spring and the bond.
 template <int D>
-class Spring {
- public:
-  /// `elapsed` is the time in which the shear spring grows.
-  Spring(const ContactLaw& law, double reduced_mass, double elapsed)
-      : law_(law), reduced_mass_(reduced_mass), elapsed_(elapsed) {}
+struct Spring {
+  const ContactLaw& law;
+  double reduced_mass;  // kg, of both blocks; unused unless the law is damped
+  double elapsed;       // s, in which the shear spring grows
 
   /// The force of springs at points, with PointSprings as base, or per area, with Pressure as base: an intact
   /// bond of two faces has springs on its common face. `bonded` is 1 until the bond fails.
@@ -127,7 +126,7 @@ class Spring {
                                                        ShearSpring<D>& spring) const;
   /// The stiffness of all springs of the base together.
   double whole_stiffness(double stiffness, const NormalPart& normal) const {
-    return law_.is_per_area() ? stiffness * normal.base : stiffness;
+    return law.is_per_area() ? stiffness * normal.base : stiffness;
   }
   double shear_limit(const NormalPart& normal, bool bonded) const;
   bool holds(const NormalPart& normal, const ShearTrial& trial) const;
@@ -139,13 +138,9 @@ class Spring {
                                                  const Vector<D>& direction, ShearSpring<D>& spring,
                                                  bool bonded, ContactEnergy& energy) const;
   double viscosity(double share_of_critical, double stiffness) const;
-
-  const ContactLaw& law_;
-  double reduced_mass_;
-  double elapsed_;
 };
 
-extern template class Spring<2>;
-extern template class Spring<3>;
+extern template struct Spring<2>;
+extern template struct Spring<3>;
 
 }  // namespace halfspace

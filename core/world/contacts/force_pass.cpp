@@ -112,7 +112,7 @@ void ForcePass<D>::load(std::size_t k, const Contact<D>& contact, Evaluation& ev
   evaluation.last_block = std::max(evaluation.last_block, pair.b);
   const bool is_damped = law.is_damped();
   const double reduced_mass = is_damped ? blocks_.reduced_mass(std::size_t(pair.a), std::size_t(pair.b)) : 0;
-  const Spring<D> spring(law, reduced_mass, evaluation.elapsed);
+  const Spring<D> spring{law, reduced_mass, evaluation.elapsed};
   ShearSpring<D> no_shear;
   ShearSpring<D>& shear = neighbors_.shear().empty() ? no_shear : neighbors_.shear()[k];
   const PlacedBlocks<D> at = blocks_.placed(pair.a, pair.b);
