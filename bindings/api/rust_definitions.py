@@ -1,4 +1,7 @@
-"""Safe Rust: builders of the definitions that hosts fill, with the library's defaults and a function for each measure."""
+"""Safe Rust: builders of the definitions that hosts fill, with the library's defaults and a function for each measure,
+and the constructors of actions, one for each kind."""
+import re
+
 import meanings
 from rust import documented
 from rust_records import comment_of, plain_type
@@ -12,7 +15,7 @@ use std::mem::{{size_of, MaybeUninit}};
 
 use halfspace_sys as sys;
 
-use crate::action::Action;
+use crate::action::{{Action, Table}};
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
@@ -58,18 +61,39 @@ BUILDERS = {
 NO_DEFAULT = {"hs_world_def", "hs_action_def"}  # without a dimension, without a table
 READ = {"hs_action_def", "hs_law_def", "hs_world_def", "hs_elasticity_def"}  # that a world returns
 BY_HAND = {"hs_action_def.point"}  # together with the place
+ACTIONS = "HS_ACTION_"
+TAKES_MORE = {"HS_ACTION_SERVO"}  # than a table
 
 
 def write(api):
     lines = HEAD.format_map(api).splitlines()
     for struct_name, name in BUILDERS.items():
-        lines += ["", f"impl {name} {{", *functions(meanings.find(api, struct_name))[1:]]
+        constructors = kinds_of_action(api) if name == "Action" else []
+        lines += ["", f"impl {name} {{", *[*constructors, *functions(meanings.find(api, struct_name))][1:]]
         if struct_name in READ:
             lines += READER.format(struct=struct_name).rstrip().splitlines()
         lines.append("}")
         if struct_name not in NO_DEFAULT:
             lines += DEFAULT.format(name=name, struct=struct_name).rstrip().splitlines()
     return "\n".join(lines) + "\n"
+
+
+def kinds_of_action(api):
+    """The comments of these constants begin with the unit."""
+    group = next(group for group in api["constants"] if group["group"] == ACTIONS)
+    lines = []
+    for each in group["constants"]:
+        name = function_of_kind(each["name"])
+        if each["name"] not in TAKES_MORE:
+            words = f"{name.capitalize().replace('_', ' ')}, in {each['comment']}."
+            linked = re.sub(rf"\b{ACTIONS}\w+", lambda kind: "[`{0}`](Self::{0})".format(function_of_kind(kind[0])), words)
+            lines += ["", *documented(linked, "    "), f"    pub fn {name}(table: Table) -> Self {{",
+                      f"        Self::of_kind(sys::{each['name']}, table)", "    }"]
+    return lines
+
+
+def function_of_kind(constant):
+    return constant.removeprefix(ACTIONS).lower()
 
 
 def functions(struct):

@@ -12,6 +12,7 @@
 #include "common/vector.h"
 #include "halfspace/halfspace.h"
 #include "scene/faults.h"
+#include "scene/kinds.h"
 
 namespace halfspace::cli {
 
@@ -70,13 +71,6 @@ struct InSitu {
   int material = 0;    ///< whose density it is
   Place place = {};
 };
-
-/// The names of actions in scene files, in the order of the HS_ACTION_ values.
-inline constexpr std::string_view action_names[] = {
-    "velocity", "angular_velocity", "acceleration", "angular_acceleration", "force", "torque", "servo"};
-inline bool is_load(int action_kind) {
-  return action_kind == HS_ACTION_FORCE || action_kind == HS_ACTION_TORQUE;
-}
 
 /// A motion or load in time of some blocks, or an acceleration of all blocks.
 struct Action {
@@ -139,9 +133,6 @@ struct SceneStage {
   std::optional<hs_law_def> default_law = {};  ///< whole, as for all laws of a stage
   std::vector<PairLaw> laws = {};
 };
-
-/// The names of laws in scene files, in the order of the HS_STIFFNESS_ values.
-inline constexpr std::array<std::string_view, 4> law_names = {"per contact", "per area", "potential", "none"};
 
 /// The initial motion of a free block, or the motion of a prescribed block between start and stop.
 struct Motion {

@@ -285,7 +285,7 @@ module halfspace_c
     real(c_double) :: shear_stiffness = 0.0_c_double
     real(c_double) :: friction_angle = 0.0_c_double  !< rad, [0, pi/2); default 0
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
-    !! begins, until they fail
+    !! begins, flush faces among them, until they fail
     real(c_double) :: cohesion = 0.0_c_double
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     real(c_double) :: tensile_strength = 0.0_c_double

@@ -53,7 +53,7 @@ contains
     real(c_double), intent(in), optional :: shear_stiffness
     real(c_double), intent(in), optional :: friction_angle  !< rad, [0, pi/2); default 0
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
-    !! begins, until they fail
+    !! begins, flush faces among them, until they fail
     real(c_double), intent(in), optional :: cohesion
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     real(c_double), intent(in), optional :: tensile_strength

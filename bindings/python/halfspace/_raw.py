@@ -362,7 +362,7 @@ class hs_law_def(_Struct):
         ("shear_stiffness", c_double),
         ("friction_angle", c_double),  # rad, [0, pi/2); default 0
         # Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first
-        # step begins, until they fail
+        # step begins, flush faces among them, until they fail
         ("cohesion", c_double),
         # Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
         ("tensile_strength", c_double),

@@ -33,7 +33,7 @@ class Law(Definition):
         rad, [0, pi/2); default 0
     cohesion : float
         Pa, >= 0; default 0; not with StiffnessKind.POTENTIAL; of contacts that exist when a block's first
-        step begins, until they fail
+        step begins, flush faces among them, until they fail
     tensile_strength : float
         Pa, >= 0; default 0; not with StiffnessKind.POTENTIAL; of the same contacts as cohesion
     normal_damping : float

@@ -44,7 +44,7 @@ typedef struct hs_law_def {
                                  HS_STIFFNESS_NONE */
   double friction_angle;    /**< rad, [0, pi/2); default 0 */
   double cohesion;          /**< Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when
-                                 a block's first step begins, until they fail */
+                                 a block's first step begins, flush faces among them, until they fail */
   double tensile_strength;  /**< Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as
                                  cohesion */
   double normal_damping;    /**< damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored

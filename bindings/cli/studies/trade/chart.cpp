@@ -11,8 +11,8 @@ namespace halfspace::cli {
 namespace {
 
 constexpr double left = 84, top = 64, width = 560, height = 380, legend = 170;
-constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#3a7d44", "#7b3294"};
-static_assert(std::size(colours) == law_names.size());
+constexpr const char* colours[] = {"#1b6ca8", "#d1495b", "#3a7d44", "#7b3294", "#8c6d1f", "#4d4d4d"};
+static_assert(std::size(colours) >= law_names.size(), "each law has a colour");
 
 /// Whole decades that enclose the values.
 struct Decades {

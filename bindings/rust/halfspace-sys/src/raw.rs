@@ -507,7 +507,7 @@ pub struct hs_law_def {
     /// rad, \[0, pi/2); default 0
     pub friction_angle: f64,
     /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
-    /// begins, until they fail
+    /// begins, flush faces among them, until they fail
     pub cohesion: f64,
     /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     pub tensile_strength: f64,

@@ -59,37 +59,6 @@ pub struct Action {
 }
 
 impl Action {
-    /// Velocity, in m/s, of a prescribed block, or along held axes of a rigid block or of nodes.
-    pub fn velocity(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_VELOCITY, table)
-    }
-
-    /// Angular velocity, in rad/s, of a prescribed block; 2D uses z.
-    pub fn angular_velocity(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_ANGULAR_VELOCITY, table)
-    }
-
-    /// Acceleration, in m/s2, likewise as [`Action::velocity`]; of all blocks: a body force,
-    /// besides gravity.
-    pub fn acceleration(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_ACCELERATION, table)
-    }
-
-    /// Angular acceleration, in rad/s2, of a prescribed block; 2D uses z.
-    pub fn angular_acceleration(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_ANGULAR_ACCELERATION, table)
-    }
-
-    /// Force, in N, on a rigid or affine block, by default at its centroid, or on nodes.
-    pub fn force(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_FORCE, table)
-    }
-
-    /// Torque, in N m, on a rigid or affine block; 2D uses z.
-    pub fn torque(table: Table) -> Self {
-        Self::of_kind(sys::HS_ACTION_TORQUE, table)
-    }
-
     /// Force control: a prescribed block, or a rigid one along held axes, moves so that it presses
     /// on its contacts with the force of the table, in N, along the scale as a vector. It moves at
     /// most with `max_speed`, in m/s. The contacts need springs.
@@ -119,7 +88,7 @@ impl Action {
         self
     }
 
-    fn of_kind(kind: i32, table: Table) -> Self {
+    pub(crate) fn of_kind(kind: i32, table: Table) -> Self {
         let mut raw = MaybeUninit::<sys::hs_action_def>::zeroed();
         // SAFETY: the size is that of the struct, for which all zero is valid.
         let mut raw = unsafe {

@@ -6,7 +6,7 @@ use std::mem::{size_of, MaybeUninit};
 
 use halfspace_sys as sys;
 
-use crate::action::Action;
+use crate::action::{Action, Table};
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
@@ -19,6 +19,37 @@ use crate::water::Water;
 use crate::world::WorldDef;
 
 impl Action {
+    /// Velocity, in m/s, of a prescribed block, or along held axes of a rigid block or of nodes.
+    pub fn velocity(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_VELOCITY, table)
+    }
+
+    /// Angular velocity, in rad/s, of a prescribed block; 2D uses z.
+    pub fn angular_velocity(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ANGULAR_VELOCITY, table)
+    }
+
+    /// Acceleration, in m/s2, likewise as [`velocity`](Self::velocity); of all blocks: a body force, besides
+    /// gravity.
+    pub fn acceleration(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ACCELERATION, table)
+    }
+
+    /// Angular acceleration, in rad/s2, of a prescribed block; 2D uses z.
+    pub fn angular_acceleration(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_ANGULAR_ACCELERATION, table)
+    }
+
+    /// Force, in N, on a rigid or affine block or on nodes.
+    pub fn force(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_FORCE, table)
+    }
+
+    /// Torque, in N m, on a rigid or affine block; 2D uses z.
+    pub fn torque(table: Table) -> Self {
+        Self::of_kind(sys::HS_ACTION_TORQUE, table)
+    }
+
     /// time of the world at time 0 of the table, s; default 0
     pub fn start(mut self, start: f64) -> Self {
         self.raw.start = start;
@@ -70,7 +101,7 @@ impl Law {
     }
 
     /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of contacts that exist when a block's first step
-    /// begins, until they fail
+    /// begins, flush faces among them, until they fail
     pub fn cohesion(mut self, cohesion: f64) -> Self {
         self.raw.cohesion = cohesion;
         self

@@ -1,0 +1,119 @@
+"""Scenes: the words of kinds in their files, and the tables of their pages that tell kinds and the keys of laws."""
+import pathlib
+import re
+
+import definitions
+import meanings
+
+HEAD = """\
+// Generated {generated}.
+// clang-format off
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "halfspace/halfspace.h"
+
+namespace halfspace::cli {{
+"""
+# Names of an array: the constants in whose order it has their words, what joins the parts of a word, and its comment.
+WORDS = {
+    "law_names": ("HS_STIFFNESS_", " ", "The names of laws in scene files, in the order of the HS_STIFFNESS_ values."),
+    "action_names": ("HS_ACTION_", "_", "The names of actions in scene files, in the order of the HS_ACTION_ values."),
+}
+LOADED = "on a rigid or affine block"
+TABLE = re.compile(r"(<!-- (.+) by bindings/api/generate -->\n\n)(?:\|.*\n)*")
+CONSTANT = re.compile(r"(HS_STIFFNESS_|HS_ACTION_)(\w+)")
+UNIT = re.compile(r"(?:N|Pa|rad|m)\b")
+
+
+def constants(api, group):
+    return next(each["constants"] for each in api["constants"] if each["group"] == group)
+
+
+def word(name):
+    joint = next(joint for group, joint, _ in WORDS.values() if name.startswith(group))
+    return CONSTANT.match(name)[2].lower().replace("_", joint)
+
+
+def write_kinds(api):
+    lines = HEAD.format_map(api).splitlines()
+    for name, (group, _, comment) in WORDS.items():
+        words = [f'"{word(each["name"])}"' for each in constants(api, group)]
+        lines += ["", f"/// {comment}",
+                  f"inline constexpr std::array<std::string_view, {len(words)}> {name} = {{", f"    {', '.join(words)}}};"]
+    loads = [f"action_kind == {each['name']}" for each in constants(api, "HS_ACTION_") if LOADED in each["comment"]]
+    lines += ["", "inline bool is_load(int action_kind) {", f"  return {' || '.join(loads)};", "}"]
+    return "\n".join([*lines, "", "}  // namespace halfspace::cli", ""])
+
+
+def page(path):
+    """A writer of the tables of a page; all else in it is by hand."""
+    def write(api):
+        text = (pathlib.Path(__file__).parents[2] / path).read_text(encoding="utf-8")
+        return TABLE.sub(lambda table: table[1] + "".join(f"{row}\n" for row in TABLES[table[2]](api)), text)
+
+    return write
+
+
+def row(*cells):
+    return "|" + "|".join(f" {cell} " if cell else " " for cell in cells) + "|"
+
+
+def table(*columns):
+    return [row(*columns), "|" + "---|" * len(columns)]
+
+
+def of_scenes(comment):
+    """A comment of C in the words of scenes."""
+    text = CONSTANT.sub(lambda name: f'`"{word(name[0])}"`', comment.replace("; 2D uses z", ""))
+    text = re.sub(r"(?<![`\"\w])[a-z]+(?:_[a-z]+)+\b", lambda name: f"`{name[0]}`", text)
+    return re.sub(r"\bs2\b", "s²", text)
+
+
+def kinds_of_action(api):
+    return table("kind", "unit and block") + [
+        row(f'`"{word(each["name"])}"`', of_scenes(each["comment"])) for each in constants(api, "HS_ACTION_")]
+
+
+def kinds_of_stiffness(api):
+    return table("stiffness", "unit and meaning") + [
+        row(f'`"{word(each["name"])}"`', of_scenes(each["comment"])) for each in constants(api, "HS_STIFFNESS_")]
+
+
+def keys_of_laws(api):
+    return table("key", "meaning", "unit", "range", "default") + [
+        row("`stiffness`", "the kind, see below", "", "words", "required"),
+        *(key_of_law(field) for field in definitions.numbers(meanings.find(api, "hs_law_def")))]
+
+
+def key_of_law(field):
+    """The row of a number. Its comment has the unit or what it is, the range, and then clauses: its default, the laws
+    that it belongs to, and what else there is to say. A number above 0 has no default in scenes."""
+    comment = field["comment"]
+    limits = definitions.RANGE.search(comment)
+    first, clauses = comment[:limits.start()].rstrip(", "), comment[limits.end():].strip("; ").split("; ")
+    unit = first if UNIT.match(first) else ""
+    meaning = field["name"].replace("_", " ")
+    meaning += "" if unit else f": {first}"
+    belonging, default = "", "required"
+    for clause in map(of_scenes, clauses):
+        if clause.startswith("default "):
+            default = clause.removeprefix("default ") if definitions.range_of(field).with_low else default
+        elif definitions.belongs(field) and re.match("(?:only|not|ignored) with ", clause):
+            belonging = "; " + re.sub("^ignored", "not", clause)
+        else:
+            meaning += f" {clause}" if clause.startswith("of ") else f": {clause}"
+    unit = of_scenes(unit).replace("`stiffness_kind`", "`stiffness`").replace("rad", "degrees")
+    return row(f"`{field['name']}`", meaning + belonging, unit, range_of(field), default)
+
+
+def range_of(field):
+    low, with_low, high, with_high = definitions.range_of(field)
+    if high is None:
+        return f"{'at least' if with_low else 'above'} {low}"
+    return ("" if with_low else "above ") + f"{low} to " + ("" if with_high else "below ") + high.replace("pi/2", "90")
+
+
+TABLES = {"Keys": keys_of_laws, "Kinds of stiffness": kinds_of_stiffness, "Kinds of action": kinds_of_action}
