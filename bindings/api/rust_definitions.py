@@ -11,14 +11,13 @@ HEAD = '''\
 
 //! Defaults of definitions, and the functions that change a field of them.
 
-use std::mem::{{size_of, MaybeUninit}};
-
 use halfspace_sys as sys;
 
 use crate::action::{{Action, Table}};
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
+use crate::call::defaults;
 use crate::impact::Motion;
 use crate::kinds::StiffnessKind;
 use crate::law::Law;
@@ -30,13 +29,9 @@ use crate::world::WorldDef;
 DEFAULT = '''
 impl Default for {name} {{
     fn default() -> Self {{
-        let mut raw = MaybeUninit::<sys::{struct}>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {{
-            sys::{struct}_init(raw.as_mut_ptr(), size_of::<sys::{struct}>());
-            raw.assume_init()
-        }};
-        Self {{ raw }}
+        Self {{
+            raw: defaults(sys::{struct}_init),
+        }}
     }}
 }}
 '''

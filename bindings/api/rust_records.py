@@ -27,7 +27,7 @@ use crate::world::World;
 
 # A field of Rust alone: its name, type, value and comment, and the fields of C that it replaces.
 ByHand = namedtuple("ByHand", "name type value comment replaced")
-BLOCKS = ByHand("blocks", "Option<(Block, Block)>", "Block::from_raw(raw.block_a).zip(Block::from_raw(raw.block_b))",
+BLOCKS = ByHand("blocks", "Option<(Block, Block)>", "Block::from_id(raw.block_a).zip(Block::from_id(raw.block_b))",
                 "Both blocks; `None` if either has been removed.", ("block_a", "block_b"))
 CELL = ByHand("limiting_cell", "Option<(Body, usize)>",
               "Body::from_id(raw.limiting_body)\n                .map(|body| (body, raw.limiting_cell as usize))",
@@ -140,7 +140,7 @@ def converted(struct, field, raw):
     if field["name"] == "material":
         return "Material", f"Material({name})"
     if meaning == meanings.BLOCK:
-        return "Option<Block>", f"Block::from_raw({name})"
+        return "Option<Block>", f"Block::from_id({name})"
     if meaning == meanings.FLAG:
         return "bool", f"{name} != 0"
     if meaning == meanings.INDEX_OR_NONE:

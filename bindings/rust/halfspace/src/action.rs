@@ -1,12 +1,11 @@
 //! Motions and loads in time: tables that blocks and nodes follow, force control, and held axes.
 
-use std::mem::{size_of, MaybeUninit};
-
 use halfspace_sys as sys;
 
 use crate::block::Block;
 use crate::body::{Axes, Body};
-use crate::error::Error;
+use crate::call::{call, defaults};
+use crate::error::require_entries;
 use crate::mesh::indices;
 use crate::view::View;
 use crate::world::World;
@@ -31,7 +30,7 @@ impl Table {
 }
 
 /// A motion or load that follows a table. Loads of one block add up; a motion ends the
-/// earlier ones along its axes.
+/// earlier ones along its axes. A force acts at the centroid, unless it is given another place.
 ///
 /// Within a step a load is constant, the mean of its table, and a prescribed block moves by the
 /// integral of its velocity. So impulses and displacements are exact for any time step.
@@ -89,12 +88,7 @@ impl Action {
     }
 
     pub(crate) fn of_kind(kind: i32, table: Table) -> Self {
-        let mut raw = MaybeUninit::<sys::hs_action_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let mut raw = unsafe {
-            sys::hs_action_def_init(raw.as_mut_ptr(), size_of::<sys::hs_action_def>());
-            raw.assume_init()
-        };
+        let mut raw = defaults(sys::hs_action_def_init);
         raw.kind = kind;
         raw.table = table.0;
         Self { raw }
@@ -109,14 +103,11 @@ impl World {
     /// without z have z = 0. [`View::components`] of the same array for all components makes a
     /// table of numbers.
     pub fn add_table<'a>(&mut self, times: &[f64], values: impl Into<View<'a>>) -> Result<Table> {
-        let values = values.into();
-        require_same("World::add_table: times", times.len(), &values, "rows")?;
+        let (name, values) = ("World::add_table: times", values.into());
+        require_entries(name, times.len(), values.count(), "rows")?;
         let mut table = 0;
-        // SAFETY: the world lives and is borrowed mutably, there is one time per row, and the view
-        // borrows what it says.
-        self.check(unsafe {
-            sys::hs_world_add_table(self.handle(), times.as_ptr(), values.raw(), &mut table)
-        })?;
+        // SAFETY: there is one time per row.
+        call!(mut self => hs_world_add_table(unsafe times.as_ptr(), values, &mut table))?;
         Ok(Table(table))
     }
 
@@ -128,17 +119,13 @@ impl World {
     /// [`ErrorKind::StaleId`](crate::ErrorKind::StaleId) for a block or table that the world does
     /// not have.
     pub fn add_action(&mut self, block: impl Into<Option<Block>>, action: &Action) -> Result<()> {
-        let id = id_or_all(block);
-        // SAFETY: the world lives and is borrowed mutably, the action is valid.
-        self.check(unsafe { sys::hs_world_add_action(self.handle(), id, &action.raw) })
+        call!(mut self => hs_world_add_action(block.into(), &action.raw))
     }
 
     /// Ends all actions on a block, or with `None` those on all blocks. A prescribed block keeps
     /// its last velocity.
     pub fn end_actions(&mut self, block: impl Into<Option<Block>>) -> Result<()> {
-        let id = id_or_all(block);
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_end_actions(self.handle(), id) })
+        call!(mut self => hs_world_end_actions(block.into()))
     }
 
     /// Adds an action on nodes of a body: a force, or a velocity or acceleration along axes held by
@@ -151,31 +138,16 @@ impl World {
         scales: impl Into<View<'a>>,
         action: &Action,
     ) -> Result<()> {
-        let scales = scales.into();
-        require_same(
-            "World::add_node_action: nodes",
-            nodes.len(),
-            &scales,
-            "scales",
-        )?;
-        let nodes = indices(nodes, "World::add_node_action: nodes")?;
-        // SAFETY: the world lives and is borrowed mutably, there is one node per scale, the view
-        // borrows what it says, and the action is valid.
-        self.check(unsafe {
-            sys::hs_world_add_node_action(
-                self.handle(),
-                body.id(),
-                nodes.as_ptr(),
-                scales.raw(),
-                &action.raw,
-            )
-        })
+        let (name, scales) = ("World::add_node_action: nodes", scales.into());
+        require_entries(name, nodes.len(), scales.count(), "scales")?;
+        let (nodes, action) = (indices(nodes, name)?, &action.raw);
+        // SAFETY: there is one node per scale.
+        call!(mut self => hs_world_add_node_action(body, unsafe nodes.as_ptr(), scales, action))
     }
 
     /// Ends all actions on the nodes of a body. Held nodes keep their last velocity.
     pub fn end_node_actions(&mut self, body: Body) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_end_node_actions(self.handle(), body.id()) })
+        call!(mut self => hs_world_end_node_actions(body))
     }
 
     /// Sets the viscosity of nodes of a body, in N s/m: a dashpot connects each with the ground. With
@@ -187,28 +159,14 @@ impl World {
         viscosity: [[f64; 3]; 3],
     ) -> Result<()> {
         let nodes = indices(nodes, "World::set_node_viscosity: nodes")?;
-        let mut components = [0.0; 9];
-        for (row, values) in viscosity.iter().enumerate() {
-            components[3 * row..3 * row + 3].copy_from_slice(values);
-        }
-        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
-        self.check(unsafe {
-            sys::hs_world_set_node_viscosity(
-                self.handle(),
-                body.id(),
-                nodes.as_ptr(),
-                nodes.len() as i64,
-                &components,
-            )
-        })
+        call!(mut self => hs_world_set_node_viscosity(body, [nodes], &viscosity))
     }
 
     /// Holds axes of a rigid block: the velocity along them stays, whatever the forces, and with
     /// [`Axes::ROTATION`] it does not rotate. [`Axes::NONE`] frees the block. Its contacts of
     /// laws without springs are points, without restitution.
     pub fn hold_block(&mut self, block: Block, axes: Axes) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_hold_block(self.handle(), block.id(), axes.0) })
+        call!(mut self => hs_world_hold_block(block, axes))
     }
 
     /// Sets the velocities of prescribed blocks between steps, one per block, in m/s, and their
@@ -221,34 +179,11 @@ impl World {
         velocities: impl Into<View<'a>>,
         angular_velocities: impl Into<View<'b>>,
     ) -> Result<()> {
-        let (velocities, angular) = (velocities.into(), angular_velocities.into().raw());
+        let (velocities, angular) = (velocities.into(), angular_velocities.into());
         let name = "World::prescribe_velocities: blocks";
-        require_same(name, blocks.len(), &velocities, "velocities")?;
-        // SAFETY: the world lives and is borrowed mutably, a Block is a u64, there is one per
-        // velocity, and the views borrow what they say.
-        self.check(unsafe {
-            sys::hs_world_prescribe_velocities(
-                self.handle(),
-                blocks.as_ptr().cast(),
-                velocities.raw(),
-                angular,
-            )
-        })
+        require_entries(name, blocks.len(), velocities.count(), "velocities")?;
+        let blocks = blocks.as_ptr().cast();
+        // SAFETY: a Block is a u64, and there is one per velocity.
+        call!(mut self => hs_world_prescribe_velocities(unsafe blocks, velocities, angular))
     }
-}
-
-/// The id of a block, or 0, which stands for all blocks.
-fn id_or_all(block: impl Into<Option<Block>>) -> u64 {
-    block.into().map_or(0, Block::id)
-}
-
-/// The library reads as many entries as the view has points.
-fn require_same(name: &str, count: usize, view: &View<'_>, of_view: &str) -> Result<()> {
-    if count == view.count() {
-        return Ok(());
-    }
-    Err(Error::argument(&format!(
-        "{name} has {count} entries; there are {} {of_view}",
-        view.count()
-    )))
 }

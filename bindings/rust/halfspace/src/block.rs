@@ -1,10 +1,10 @@
 //! Blocks and materials: ids and definitions.
 
-use std::mem::{size_of, MaybeUninit};
 use std::num::NonZeroU64;
 
 use halfspace_sys as sys;
 
+use crate::call::initial;
 use crate::pose::Pose;
 use crate::shape::Shape;
 
@@ -16,16 +16,12 @@ pub struct Block(NonZeroU64);
 impl Block {
     /// The block of a number from [`Block::id`], e.g. read from a file. `None` for 0.
     pub fn from_id(id: u64) -> Option<Self> {
-        Self::from_raw(id)
+        NonZeroU64::new(id).map(Self)
     }
 
     /// The `hs_block` of the C interface; never 0.
     pub fn id(self) -> u64 {
         self.0.get()
-    }
-
-    pub(crate) fn from_raw(id: sys::hs_block) -> Option<Self> {
-        NonZeroU64::new(id).map(Self)
     }
 }
 
@@ -116,17 +112,10 @@ impl BlockDef {
     }
 
     pub(crate) fn raw(&self, shape: &Shape) -> sys::hs_block_def {
-        let mut raw = MaybeUninit::<sys::hs_block_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid, and the shape lives.
-        let raw = unsafe {
-            sys::hs_block_def_init(
-                raw.as_mut_ptr(),
-                size_of::<sys::hs_block_def>(),
-                shape.handle(),
-            );
-            raw.assume_init()
-        };
-        self.changed(raw)
+        // SAFETY: the size is that of the struct, and the shape lives.
+        self.changed(initial(|def, size| unsafe {
+            sys::hs_block_def_init(def, size, shape.handle())
+        }))
     }
 
     /// A definition with these values.

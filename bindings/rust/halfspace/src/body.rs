@@ -1,6 +1,5 @@
 //! Bodies: meshes in a world (Wang et al. 2021, section 2.1; Li et al. 2015, section 2).
 
-use std::mem::{size_of, MaybeUninit};
 use std::num::NonZeroU64;
 use std::ops::BitOr;
 use std::ptr;
@@ -8,7 +7,8 @@ use std::ptr;
 use halfspace_sys as sys;
 
 use crate::block::{Block, Material};
-use crate::error::Error;
+use crate::call::{call, counted, defaults, listed_points, written};
+use crate::error::{require, Error};
 use crate::mesh::{indices, Mesh};
 use crate::mutable_view::ViewMut;
 use crate::pose::Pose;
@@ -83,12 +83,7 @@ impl<'a> BodyDef<'a> {
     }
 
     fn raw(&self) -> sys::hs_body_def {
-        let mut raw = MaybeUninit::<sys::hs_body_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let mut raw = unsafe {
-            sys::hs_body_def_init(raw.as_mut_ptr(), size_of::<sys::hs_body_def>());
-            raw.assume_init()
-        };
+        let mut raw = defaults(sys::hs_body_def_init);
         raw.material = self.material.0;
         raw.pose = self.pose.map_or(raw.pose, Into::into);
         raw.velocity = self.velocity;
@@ -139,29 +134,17 @@ impl World {
     /// dimension.
     pub fn add_mesh(&mut self, mesh: &Mesh, def: &BodyDef<'_>) -> Result<Body> {
         if let Some(materials) = def.cell_materials {
-            let cells = mesh.properties().cell_count;
-            if materials.len() != cells {
-                return Err(Error::argument(&format!(
-                    "World::add_mesh: cell_materials has {} entries; the mesh has {cells} cells",
-                    materials.len()
-                )));
-            }
+            let (count, cells) = (materials.len(), mesh.properties().cell_count);
+            require(count == cells, || {
+                format!("World::add_mesh: cell_materials has {count} entries; the mesh has {cells} cells")
+            })?;
         }
         let materials = def
             .cell_materials
             .map_or(ptr::null(), |materials| materials.as_ptr());
-        let mut id = 0;
-        // SAFETY: world and mesh live, the definition is valid, a Material is an i32, and there is
-        // none or one for each cell.
-        self.check(unsafe {
-            sys::hs_world_add_mesh(
-                self.handle(),
-                mesh.handle(),
-                &def.raw(),
-                materials.cast(),
-                &mut id,
-            )
-        })?;
+        let (mut id, raw) = (0, def.raw());
+        // SAFETY: a Material is an i32, and there is none or one for each cell.
+        call!(mut self => hs_world_add_mesh(mesh, &raw, unsafe materials.cast(), &mut id))?;
         self.recount_blocks();
         Body::from_id(id)
             .ok_or_else(|| Error::argument("World::add_mesh: the library returned the id 0"))
@@ -169,37 +152,27 @@ impl World {
 
     /// Removes a body and its surface blocks from the world; its id becomes stale.
     pub fn remove_body(&mut self, body: Body) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_remove_body(self.handle(), body.id()) })?;
+        call!(mut self => hs_world_remove_body(body))?;
         self.recount_blocks();
         Ok(())
     }
 
     /// Returns motion and energy of a body.
     pub fn body_state(&self, body: Body) -> Result<BodyState> {
-        let mut raw = sys::hs_body_state::default();
-        let size = size_of::<sys::hs_body_state>();
-        // SAFETY: the world lives, and the size is that of the struct.
-        self.check(unsafe {
-            sys::hs_world_get_body_state(self.handle(), body.id(), &mut raw, size)
-        })?;
-        Ok(raw.into())
+        written(|state, size| call!(self => hs_world_get_body_state(body, state, size)))
     }
 
     /// Returns the body and the index of the cell of a surface block; `None` for a block of another
     /// kind.
     pub fn body_of_block(&self, block: Block) -> Result<Option<(Body, usize)>> {
         let (mut id, mut cell) = (0, 0);
-        // SAFETY: the world lives.
-        self.check(unsafe {
-            sys::hs_world_get_body_of_block(self.handle(), block.id(), &mut id, &mut cell)
-        })?;
+        call!(self => hs_world_get_body_of_block(block, &mut id, &mut cell))?;
         Ok(Body::from_id(id).map(|body| (body, cell as usize)))
     }
 
     /// Returns the positions of a body's nodes, in m.
     pub fn node_positions(&self, body: Body) -> Result<Vec<[f64; 3]>> {
-        self.of_nodes(body, sys::hs_world_get_node_positions)
+        listed_points(|positions| self.node_positions_into(body, positions))
     }
 
     /// The same into memory that is there already: as many as there is room for. Returns how many
@@ -209,12 +182,12 @@ impl World {
         body: Body,
         positions: impl Into<ViewMut<'a>>,
     ) -> Result<usize> {
-        self.of_nodes_into(body, positions.into(), sys::hs_world_get_node_positions)
+        counted(|count| call!(self => hs_world_get_node_positions(body, positions.into(), count)))
     }
 
     /// Returns the velocities of a body's nodes, in m/s.
     pub fn node_velocities(&self, body: Body) -> Result<Vec<[f64; 3]>> {
-        self.of_nodes(body, sys::hs_world_get_node_velocities)
+        listed_points(|velocities| self.node_velocities_into(body, velocities))
     }
 
     /// The same into memory that is there already, as for [`World::node_positions_into`].
@@ -223,14 +196,14 @@ impl World {
         body: Body,
         velocities: impl Into<ViewMut<'a>>,
     ) -> Result<usize> {
-        self.of_nodes_into(body, velocities.into(), sys::hs_world_get_node_velocities)
+        counted(|count| call!(self => hs_world_get_node_velocities(body, velocities.into(), count)))
     }
 
     /// Returns the total forces on a body's nodes at the end of the last step (cells, contacts,
     /// gravity, applied), in N, in 2D per unit thickness. In equilibrium they are 0, except at held
     /// nodes: there they are the forces that press on the support.
     pub fn node_forces(&self, body: Body) -> Result<Vec<[f64; 3]>> {
-        self.of_nodes(body, sys::hs_world_get_node_forces)
+        listed_points(|forces| self.node_forces_into(body, forces))
     }
 
     /// The same into memory that is there already, as for [`World::node_positions_into`].
@@ -239,7 +212,7 @@ impl World {
         body: Body,
         forces: impl Into<ViewMut<'a>>,
     ) -> Result<usize> {
-        self.of_nodes_into(body, forces.into(), sys::hs_world_get_node_forces)
+        counted(|count| call!(self => hs_world_get_node_forces(body, forces.into(), count)))
     }
 
     /// Sets the velocities of all nodes of a body, including held ones; one per node, in m/s.
@@ -248,11 +221,7 @@ impl World {
         body: Body,
         velocities: impl Into<View<'a>>,
     ) -> Result<()> {
-        let velocities = velocities.into().raw();
-        // SAFETY: the world lives and is borrowed mutably, and the view borrows what it says.
-        self.check(unsafe {
-            sys::hs_world_set_node_velocities(self.handle(), body.id(), velocities)
-        })
+        call!(mut self => hs_world_set_node_velocities(body, velocities.into()))
     }
 
     /// Prescribes a constant velocity of nodes along axes, in m/s, in addition to axes held before;
@@ -266,33 +235,14 @@ impl World {
         velocity: [f64; 3],
     ) -> Result<()> {
         let nodes = indices(nodes, "World::hold_nodes: nodes")?;
-        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
-        self.check(unsafe {
-            sys::hs_world_hold_nodes(
-                self.handle(),
-                body.id(),
-                nodes.as_ptr(),
-                nodes.len() as i64,
-                axes.0,
-                &velocity,
-            )
-        })
+        call!(mut self => hs_world_hold_nodes(body, [nodes], axes, &velocity))
     }
 
     /// Sets the external force on each of these nodes, until set again, in N, in 2D per unit
     /// thickness.
     pub fn set_node_force(&mut self, body: Body, nodes: &[usize], force: [f64; 3]) -> Result<()> {
         let nodes = indices(nodes, "World::set_node_force: nodes")?;
-        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
-        self.check(unsafe {
-            sys::hs_world_set_node_force(
-                self.handle(),
-                body.id(),
-                nodes.as_ptr(),
-                nodes.len() as i64,
-                &force,
-            )
-        })
+        call!(mut self => hs_world_set_node_force(body, [nodes], &force))
     }
 
     /// Removes cells of a body (excavation). Indices of the other cells and nodes do not change.
@@ -301,17 +251,8 @@ impl World {
     pub fn remove_cells(&mut self, body: Body, cells: &[usize]) -> Result<Vec<[f64; 3]>> {
         let cells = indices(cells, "World::remove_cells: cells")?;
         let mut released = vec![[0.0; 3]; self.body_state(body)?.node_count as usize];
-        let room = ViewMut::from(&mut released).raw();
-        // SAFETY: the world lives and is borrowed mutably, and both arrays are as long as said.
-        self.check(unsafe {
-            sys::hs_world_remove_cells(
-                self.handle(),
-                body.id(),
-                cells.as_ptr(),
-                cells.len() as i64,
-                room,
-            )
-        })?;
+        let room = ViewMut::from(&mut released);
+        call!(mut self => hs_world_remove_cells(body, [cells], room))?;
         Ok(released)
     }
 
@@ -324,15 +265,7 @@ impl World {
         stress: &[[f64; 3]; 3],
         gradient: &[[[f64; 3]; 3]; 3],
     ) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, and the tensors are whole.
-        self.check(unsafe {
-            sys::hs_world_set_body_stress(
-                self.handle(),
-                body.id(),
-                stress.as_ptr().cast(),
-                gradient.as_ptr().cast(),
-            )
-        })
+        call!(mut self => hs_world_set_body_stress(body, stress, gradient))
     }
 
     /// Returns strain and stress of a body's cells.
@@ -345,39 +278,6 @@ impl World {
     /// The same into memory that is there already: as many as there is room for. Returns how many
     /// cells the body has.
     pub fn cells_into(&self, body: Body, cells: &mut [CellState]) -> Result<usize> {
-        let mut count = 0;
-        // SAFETY: the world lives, the array is as long as said, and a CellState is laid out as the
-        // library's.
-        self.check(unsafe {
-            sys::hs_world_get_cells(
-                self.handle(),
-                body.id(),
-                cells.as_mut_ptr().cast(),
-                cells.len() as i64,
-                &mut count,
-            )
-        })?;
-        Ok(count as usize)
-    }
-
-    fn of_nodes(&self, body: Body, get: GetOfNodes) -> Result<Vec<[f64; 3]>> {
-        let mut vectors = vec![[0.0; 3]; self.of_nodes_into(body, ViewMut::none(), get)?];
-        self.of_nodes_into(body, (&mut vectors).into(), get)?;
-        Ok(vectors)
-    }
-
-    fn of_nodes_into(&self, body: Body, mut room: ViewMut<'_>, get: GetOfNodes) -> Result<usize> {
-        let mut count = 0;
-        // SAFETY: the world lives, and the view borrows what it says.
-        self.check(unsafe { get(self.handle(), body.id(), room.raw(), &mut count) })?;
-        Ok(count as usize)
+        counted(|count| call!(self => hs_world_get_cells(body, [mut cells], count)))
     }
 }
-
-/// A function of the library that writes a vector per node of a body.
-type GetOfNodes = unsafe extern "C" fn(
-    *const sys::hs_world,
-    sys::hs_body,
-    sys::hs_mutable_view,
-    *mut i64,
-) -> sys::hs_status;

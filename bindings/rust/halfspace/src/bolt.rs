@@ -3,6 +3,7 @@
 use halfspace_sys as sys;
 
 use crate::block::Block;
+use crate::call::{call, known_list, written};
 use crate::records::BoltState;
 use crate::world::World;
 use crate::Result;
@@ -65,9 +66,8 @@ impl World {
     /// # Errors
     /// [`ErrorKind::State`](crate::ErrorKind::State) if neither block moves.
     pub fn add_bolt(&mut self, bolt: &Bolt) -> Result<u64> {
-        let mut number = 0;
-        // SAFETY: the world lives and is borrowed mutably, the bolt is valid.
-        self.check(unsafe { sys::hs_world_add_bolt(self.handle(), &bolt.raw, &mut number) })?;
+        let number: i64 =
+            written(|number, _| call!(mut self => hs_world_add_bolt(&bolt.raw, number)))?;
         Ok(number as u64)
     }
 
@@ -76,29 +76,17 @@ impl World {
     /// # Errors
     /// [`ErrorKind::StaleId`](crate::ErrorKind::StaleId) if there is no such bolt.
     pub fn remove_bolt(&mut self, number: u64) -> Result<()> {
-        let number = i64::try_from(number).unwrap_or(-1);
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_remove_bolt(self.handle(), number) })
+        call!(mut self => hs_world_remove_bolt(number))
     }
 
     /// Returns all bolts, in ascending order of their numbers.
     pub fn bolts(&self) -> Vec<BoltState> {
-        let mut count = 0;
-        // SAFETY: the world lives, and no bolt is written.
-        unsafe { sys::hs_world_get_bolts(self.handle(), std::ptr::null_mut(), 0, &mut count) };
-        let mut bolts = vec![sys::hs_bolt::default(); count as usize];
-        let room = bolts.as_mut_ptr();
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_bolts(self.handle(), room, count, &mut count) });
-        bolts.into_iter().map(Into::into).collect()
+        known_list(|room, count| call!(self => hs_world_get_bolts([mut room], count)))
     }
 
     /// Finds the block in which a place is deepest; `None` if it is outside of all blocks.
     pub fn block_at(&self, place: [f64; 3]) -> Result<Option<Block>> {
-        let mut block = 0;
-        // SAFETY: the world lives.
-        self.check(unsafe { sys::hs_world_get_block_at(self.handle(), &place, &mut block) })?;
-        Ok(Block::from_raw(block))
+        let block = written(|block, _| call!(self => hs_world_get_block_at(&place, block)))?;
+        Ok(Block::from_id(block))
     }
 }

@@ -1,10 +1,9 @@
 //! Bonds: breakable connections of blocks along their common faces (Wang et al. 2021, section 3).
 
-use std::mem::size_of;
-
 use halfspace_sys as sys;
 
 use crate::block::{Block, Material};
+use crate::call::{call, counted, known, known_list, sure};
 use crate::records::{BondEvent, BondReport, BondState};
 use crate::world::World;
 use crate::Result;
@@ -53,60 +52,32 @@ impl World {
     /// [`ErrorKind::State`](crate::ErrorKind::State) if they have no common face, are bonded
     /// already, or neither moves.
     pub fn bond_blocks(&mut self, a: Block, b: Block, bond: &Bond) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, the bond is valid.
-        self.check(unsafe { sys::hs_world_bond_blocks(self.handle(), a.id(), b.id(), &bond.raw) })
+        call!(mut self => hs_world_bond_blocks(a, b, &bond.raw))
     }
 
     /// Bonds all pairs of blocks of two materials, which may be the same, along their common faces.
     /// Existing bonds do not change. Returns the number of bonds made.
     pub fn bond_materials(&mut self, a: Material, b: Material, bond: &Bond) -> Result<usize> {
-        let mut count = 0;
-        // SAFETY: the world lives and is borrowed mutably, the bond is valid.
-        self.check(unsafe {
-            sys::hs_world_bond_materials(self.handle(), a.0, b.0, &bond.raw, &mut count)
-        })?;
-        Ok(count as usize)
+        counted(|count| call!(mut self => hs_world_bond_materials(a, b, &bond.raw, count)))
     }
 
     /// Suspends (`true`) or resumes (`false`) the failure of all bonds, e.g. while a world settles.
     pub fn hold_bonds(&mut self, are_held: bool) {
-        // SAFETY: the world lives and is borrowed mutably.
-        let status = unsafe { sys::hs_world_hold_bonds(self.handle(), are_held.into()) };
-        self.owner().expect(status);
+        sure(call!(mut self => hs_world_hold_bonds(are_held)))
     }
 
     /// Returns all bonds made so far, in their order of creation.
     pub fn bonds(&self) -> Vec<BondState> {
-        let mut bonds = vec![sys::hs_bond::default(); self.bond_report().bond_count];
-        let (room, capacity) = (bonds.as_mut_ptr(), bonds.len() as i64);
-        let mut count = 0;
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_bonds(self.handle(), room, capacity, &mut count) });
-        bonds.into_iter().map(Into::into).collect()
+        known_list(|room, count| call!(self => hs_world_get_bonds([mut room], count)))
     }
 
     /// Returns the failures of bond points so far, in order of time, from index `first` on.
     pub fn bond_events(&self, first: usize) -> Vec<BondEvent> {
-        let left = self.bond_report().event_count.saturating_sub(first);
-        let mut events = vec![sys::hs_bond_event::default(); left];
-        let (room, capacity) = (events.as_mut_ptr(), left as i64);
-        let first = i64::try_from(first).unwrap_or(i64::MAX);
-        let mut count = 0;
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_bond_events(self.handle(), first, room, capacity, &mut count)
-        });
-        events.into_iter().map(Into::into).collect()
+        known_list(|room, count| call!(self => hs_world_get_bond_events(first, [mut room], count)))
     }
 
     /// Returns a summary of all bonds, as of the last step.
     pub fn bond_report(&self) -> BondReport {
-        let mut raw = sys::hs_bond_report::default();
-        let size = size_of::<sys::hs_bond_report>();
-        // SAFETY: the world lives, and the size is that of the struct.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_bond_report(self.handle(), &mut raw, size) });
-        raw.into()
+        known(|report, size| call!(self => hs_world_get_bond_report(report, size)))
     }
 }

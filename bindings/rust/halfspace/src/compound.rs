@@ -1,12 +1,12 @@
 //! Concave blocks: compounds of convex parts with one mass and one motion.
 
-use std::mem::{size_of, MaybeUninit};
 use std::ptr;
 
 use halfspace_sys as sys;
 
 use crate::block::{Block, BlockDef};
-use crate::error::Error;
+use crate::call::{call, initial, listed};
+use crate::error::{require_entries, Error};
 use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::world::World;
@@ -40,73 +40,42 @@ impl World {
         poses: &[Pose],
         def: &BlockDef,
     ) -> Result<Block> {
-        if !poses.is_empty() && poses.len() != shapes.len() {
-            return Err(Error::argument(&format!(
-                "World::add_compound: poses has {} entries; there are {} shapes",
-                poses.len(),
-                shapes.len()
-            )));
+        let name = "World::add_compound: poses";
+        if !poses.is_empty() {
+            require_entries(name, poses.len(), shapes.len(), "shapes")?;
         }
         let handles: Vec<_> = shapes.iter().map(|shape| shape.handle()).collect();
-        let places: Vec<sys::hs_pose> = poses.iter().map(|pose| (*pose).into()).collect();
-        let places = if places.is_empty() {
+        let (first, count) = (handles.as_ptr(), shapes.len() as i64);
+        let places = if poses.is_empty() {
             ptr::null()
         } else {
-            places.as_ptr()
-        };
-        let count = shapes.len() as i64;
-        let mut raw = MaybeUninit::<sys::hs_block_def>::zeroed();
+            poses.as_ptr()
+        }
+        .cast();
+        // SAFETY: the size is that of the struct, the shapes live, and the arrays are as long as said.
+        let raw = def.changed(initial(|def, size| unsafe {
+            sys::hs_compound_def_init(def, size, first, places, count)
+        }));
         let mut id = 0;
-        // SAFETY: the size is that of the struct, for which all zero is valid; world and shapes live, and
-        // the arrays are as long as said.
-        self.check(unsafe {
-            let size = size_of::<sys::hs_block_def>();
-            sys::hs_compound_def_init(raw.as_mut_ptr(), size, handles.as_ptr(), places, count);
-            let raw = def.changed(raw.assume_init());
-            sys::hs_world_add_compound(
-                self.handle(),
-                handles.as_ptr(),
-                places,
-                count,
-                &raw,
-                &mut id,
-            )
-        })?;
+        // SAFETY: both arrays are as long as said.
+        call!(mut self => hs_world_add_compound(unsafe first, unsafe places, count, &raw, &mut id))?;
         self.block_count += 1 + shapes.len();
-        Block::from_raw(id)
+        Block::from_id(id)
             .ok_or_else(|| Error::argument("World::add_compound: the library returned the id 0"))
     }
 
     /// The parts of a compound, in the order in which they were given; none for other blocks.
     pub fn compound_parts(&self, block: Block) -> Result<Vec<Block>> {
-        let mut count = 0;
-        // SAFETY: the world lives, and no part is written.
-        self.check(unsafe {
-            let none = ptr::null_mut();
-            sys::hs_world_get_compound_parts(self.handle(), block.id(), none, 0, &mut count)
-        })?;
-        let mut ids = vec![0; count as usize];
-        // SAFETY: the world lives, and the array is as long as said.
-        self.check(unsafe {
-            let room = ids.as_mut_ptr();
-            sys::hs_world_get_compound_parts(
-                self.handle(),
-                block.id(),
-                room,
-                count,
-                ptr::null_mut(),
-            )
-        })?;
-        Ok(ids.into_iter().filter_map(Block::from_raw).collect())
+        let ids = listed(
+            |room, count| call!(self => hs_world_get_compound_parts(block, [mut room], count)),
+        )?;
+        Ok(ids.into_iter().filter_map(Block::from_id).collect())
     }
 
     /// The compound of a part, and the index of the part; `None` for a block that is not a part.
     pub fn compound_of_block(&self, block: Block) -> Result<Option<(Block, usize)>> {
         let (mut compound, mut part) = (0, -1);
-        // SAFETY: the world lives.
-        self.check(unsafe {
-            sys::hs_world_get_compound_of_block(self.handle(), block.id(), &mut compound, &mut part)
-        })?;
-        Ok(Block::from_raw(compound).map(|compound| (compound, part as usize)))
+        call!(self => hs_world_get_compound_of_block(block, &mut compound, &mut part))?;
+        Ok(Block::from_id(compound).map(|compound| (compound, part as usize)))
     }
 }

@@ -27,7 +27,7 @@ impl Contact {
 
     /// Blocks a and b, of a contact in a world.
     pub fn blocks(&self) -> Option<(Block, Block)> {
-        Block::from_raw(self.raw.block_a).zip(Block::from_raw(self.raw.block_b))
+        Block::from_id(self.raw.block_a).zip(Block::from_id(self.raw.block_b))
     }
 
     /// Indices of block a's and b's vertex, edge or face in that pair; `None` for the vertex if a
@@ -63,10 +63,6 @@ impl Contact {
         usize::try_from(self.raw.point_count)
             .unwrap_or(0)
             .min(self.raw.points.len())
-    }
-
-    pub(crate) fn raw_mut(&mut self) -> *mut sys::hs_contact {
-        &mut self.raw
     }
 }
 

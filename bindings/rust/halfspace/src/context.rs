@@ -3,7 +3,6 @@
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::CStr;
 use std::marker::PhantomData;
-use std::mem::{size_of, MaybeUninit};
 use std::os::raw::{c_char, c_void};
 use std::ptr::{self, NonNull};
 use std::rc::Rc;
@@ -12,6 +11,7 @@ use std::sync::Arc;
 
 use halfspace_sys as sys;
 
+use crate::call::defaults;
 use crate::error::{Error, ErrorKind};
 use crate::Result;
 
@@ -32,7 +32,7 @@ use crate::Result;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Context {
-    owner: Arc<Owner>,
+    pub(crate) object: Arc<Owner>,
     of_one_thread: PhantomData<Rc<()>>,
 }
 
@@ -46,24 +46,15 @@ impl Context {
     /// Creates a context whose worlds are stepped by 1 to 256 threads. Results are bit-identical
     /// for any number.
     pub fn with_threads(threads: i32) -> Result<Self> {
-        let mut def = Self::defaults();
+        let mut def = defaults(sys::hs_context_def_init);
         def.threads = threads;
         // SAFETY: the definition is valid, except for the number, which the library checks.
         unsafe { Self::create(&def) }
     }
 
-    fn defaults() -> sys::hs_context_def {
-        let mut def = MaybeUninit::<sys::hs_context_def>::zeroed();
-        // SAFETY: the definition has the size given, and all zero is a valid one.
-        unsafe {
-            sys::hs_context_def_init(def.as_mut_ptr(), size_of::<sys::hs_context_def>());
-            def.assume_init()
-        }
-    }
-
     /// Creates a context that uses the global allocator of the Rust program.
     pub fn with_global_allocator() -> Result<Self> {
-        let mut def = Self::defaults();
+        let mut def = defaults(sys::hs_context_def_init);
         def.allocate = Some(allocate);
         def.release = Some(release);
         // SAFETY: both functions are set and may be called at any time from any thread.
@@ -78,7 +69,7 @@ impl Context {
         let status = unsafe { sys::hs_context_create(def, &mut handle) };
         match NonNull::new(handle) {
             Some(handle) => Ok(Self {
-                owner: Arc::new(Owner(handle)),
+                object: Arc::new(Owner(handle)),
                 of_one_thread: PhantomData,
             }),
             None => Err(Error::new(ErrorKind::from_value(status), "")),
@@ -87,17 +78,13 @@ impl Context {
 
     pub(crate) fn of(owner: &Arc<Owner>) -> Self {
         Self {
-            owner: Arc::clone(owner),
+            object: Arc::clone(owner),
             of_one_thread: PhantomData,
         }
     }
 
     pub(crate) fn owner(&self) -> &Arc<Owner> {
-        &self.owner
-    }
-
-    pub(crate) fn handle(&self) -> *mut sys::hs_context {
-        self.owner.0.as_ptr()
+        &self.object
     }
 }
 
@@ -114,6 +101,16 @@ unsafe impl Send for Owner {}
 unsafe impl Sync for Owner {}
 
 impl Owner {
+    /// For calls with the context as the object: its functions may be called by any handle to it.
+    pub(crate) fn handle(&self) -> *mut sys::hs_context {
+        self.0.as_ptr()
+    }
+
+    /// Likewise: it has the text of its own errors.
+    pub(crate) fn owner(&self) -> &Self {
+        self
+    }
+
     /// Converts the status of a call to a result; notes are no errors.
     #[inline]
     pub(crate) fn check(&self, status: sys::hs_status) -> Result<()> {
@@ -121,14 +118,6 @@ impl Owner {
             Ok(())
         } else {
             Err(self.last_error(status))
-        }
-    }
-
-    /// Checks the status of a getter that cannot fail, as this crate chooses its arguments.
-    #[track_caller]
-    pub(crate) fn expect(&self, status: sys::hs_status) {
-        if let Err(error) = self.check(status) {
-            panic!("a getter of libhalfspace failed: {error}");
         }
     }
 

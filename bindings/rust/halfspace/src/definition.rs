@@ -2,13 +2,13 @@
 
 use std::ffi::CStr;
 use std::mem::size_of;
-use std::ptr;
 
 use halfspace_sys as sys;
 
 use crate::action::{Action, Table};
 use crate::affine::Elasticity;
 use crate::block::{Block, Material};
+use crate::call::{call, counted, known, known_list, listed, written};
 use crate::kinds::Setting;
 use crate::law::Law;
 use crate::mutable_view::ViewMut;
@@ -31,43 +31,25 @@ impl World {
     /// # Ok::<(), halfspace::Error>(())
     /// ```
     pub fn definition(&self) -> WorldDef {
-        // SAFETY: the world lives, and the size is that of the struct.
-        let (status, raw) =
-            written(|def, size| unsafe { sys::hs_world_get_def(self.handle(), def, size) });
-        self.owner().expect(status);
+        let raw = known(|def, size| call!(self => hs_world_get_def(def, size)));
         WorldDef { raw }
     }
 
     /// Returns the densities of all materials, in kg/m3, by their index.
     pub fn densities(&self) -> Vec<f64> {
-        let mut count = 0;
-        // SAFETY: the world lives, and no density is written.
-        unsafe { sys::hs_world_get_densities(self.handle(), ptr::null_mut(), 0, &mut count) };
-        let mut densities = vec![0.0; count as usize];
-        let room = densities.as_mut_ptr();
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_densities(self.handle(), room, count, ptr::null_mut())
-        });
-        densities
+        known_list(|room, count| call!(self => hs_world_get_densities([mut room], count)))
     }
 
     /// Returns the elasticity of a material; `None` if it was given none.
     pub fn elasticity(&self, material: Material) -> Result<Option<Elasticity>> {
-        // SAFETY: the world lives, and the size is that of the struct.
-        let (status, raw) = written(|def, size| unsafe {
-            sys::hs_world_get_elasticity(self.handle(), material.0, def, size)
-        });
-        self.check(status)?;
+        let raw: sys::hs_elasticity_def =
+            written(|def, size| call!(self => hs_world_get_elasticity(material, def, size)))?;
         Ok((raw.young_modulus > 0.0).then_some(Elasticity { raw }))
     }
 
     /// Returns the law of all pairs of materials without a law of their own.
     pub fn default_law(&self) -> Law {
-        // SAFETY: the world lives, and the size is that of the struct.
-        let (status, raw) =
-            written(|def, size| unsafe { sys::hs_world_get_default_law(self.handle(), def, size) });
-        self.owner().expect(status);
+        let raw = known(|law, size| call!(self => hs_world_get_default_law(law, size)));
         Law { raw }
     }
 
@@ -75,27 +57,19 @@ impl World {
     /// strengths are those that were given, before division by the factor of
     /// [`World::set_strength_factor`].
     pub fn law(&self, a: Material, b: Material) -> Result<Law> {
-        // SAFETY: the world lives, and the size is that of the struct.
-        let (status, raw) = written(|def, size| unsafe {
-            sys::hs_world_get_law(self.handle(), a.0, b.0, def, size)
-        });
-        self.check(status)?;
+        let raw = written(|law, size| call!(self => hs_world_get_law(a, b, law, size)))?;
         Ok(Law { raw })
     }
 
     /// Returns the times, in s, and the rows of a table.
     pub fn table(&self, table: Table) -> Result<(Vec<f64>, Vec<[f64; 3]>)> {
-        let (index, none, mut count) = (table.index(), ViewMut::none().raw(), 0);
-        // SAFETY: the world lives, and no row is written.
-        self.check(unsafe {
-            sys::hs_world_get_table(self.handle(), index, ptr::null_mut(), none, &mut count)
-        })?;
-        let (mut times, mut rows) = (vec![0.0; count as usize], vec![[0.0; 3]; count as usize]);
-        let (room, view) = (times.as_mut_ptr(), ViewMut::from(&mut rows).raw());
-        // SAFETY: the world lives, there is one time per row, and the view borrows what it says.
-        self.check(unsafe {
-            sys::hs_world_get_table(self.handle(), index, room, view, &mut count)
-        })?;
+        let length = counted(
+            |count| call!(self => hs_world_get_table(table, None, ViewMut::none(), count)),
+        )?;
+        let (mut times, mut rows) = (vec![0.0; length], vec![[0.0; 3]; length]);
+        let (room, view) = (times.as_mut_ptr(), ViewMut::from(&mut rows));
+        // SAFETY: there is one time per row.
+        call!(self => hs_world_get_table(table, unsafe room, view, &mut 0))?;
         Ok((times, rows))
     }
 
@@ -103,20 +77,12 @@ impl World {
     /// they were added. Where a later motion ended one along some axes, its scale is 0 there. A
     /// point that the block carries is where it is now.
     pub fn actions(&self, block: impl Into<Option<Block>>) -> Result<Vec<Action>> {
-        let (id, size) = (
-            block.into().map_or(0, Block::id),
-            size_of::<sys::hs_action_def>(),
-        );
-        let get = |room, capacity, count| {
-            // SAFETY: the world lives, and the array is as long as said.
-            self.check(unsafe {
-                sys::hs_world_get_actions(self.handle(), id, room, size, capacity, count)
-            })
-        };
-        let mut count = 0;
-        get(ptr::null_mut(), 0, &mut count)?;
-        let mut actions = vec![sys::hs_action_def::default(); count as usize];
-        get(actions.as_mut_ptr(), count, &mut count)?;
+        let (block, size) = (block.into(), size_of::<sys::hs_action_def>());
+        let actions = listed(|room: &mut [sys::hs_action_def], count| {
+            let (first, capacity) = (room.as_mut_ptr(), room.len());
+            // SAFETY: the array is as long as said.
+            call!(self => hs_world_get_actions(block, unsafe first, size, capacity, count))
+        })?;
         Ok(actions.into_iter().map(|raw| Action { raw }).collect())
     }
 
@@ -134,15 +100,7 @@ impl World {
     /// # Ok::<(), halfspace::Error>(())
     /// ```
     pub fn notes(&self) -> Vec<Note> {
-        let mut count = 0;
-        // SAFETY: the world lives, and no note is written.
-        unsafe { sys::hs_world_check(self.handle(), ptr::null_mut(), 0, &mut count) };
-        let mut notes = vec![sys::hs_note::default(); count as usize];
-        let room = notes.as_mut_ptr();
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner()
-            .expect(unsafe { sys::hs_world_check(self.handle(), room, count, ptr::null_mut()) });
-        notes.into_iter().map(Into::into).collect()
+        known_list(|room, count| call!(self => hs_world_check([mut room], count)))
     }
 }
 
@@ -162,13 +120,4 @@ impl Setting {
         let text = unsafe { CStr::from_ptr(sys::hs_setting_usual_text(self.value())) };
         text.to_str().unwrap_or("")
     }
-}
-
-/// The status and what a function of the library wrote.
-fn written<Def: Default>(
-    write: impl FnOnce(*mut Def, usize) -> sys::hs_status,
-) -> (sys::hs_status, Def) {
-    let mut raw = Def::default();
-    let status = write(&mut raw, size_of::<Def>());
-    (status, raw)
 }

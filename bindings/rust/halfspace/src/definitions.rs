@@ -2,14 +2,13 @@
 
 //! Defaults of definitions, and the functions that change a field of them.
 
-use std::mem::{size_of, MaybeUninit};
-
 use halfspace_sys as sys;
 
 use crate::action::{Action, Table};
 use crate::affine::Elasticity;
 use crate::bolt::Bolt;
 use crate::bond::Bond;
+use crate::call::defaults;
 use crate::impact::Motion;
 use crate::kinds::StiffnessKind;
 use crate::law::Law;
@@ -141,13 +140,9 @@ impl Law {
 
 impl Default for Law {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_law_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_law_def_init(raw.as_mut_ptr(), size_of::<sys::hs_law_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_law_def_init),
+        }
     }
 }
 
@@ -256,13 +251,9 @@ impl Elasticity {
 
 impl Default for Elasticity {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_elasticity_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_elasticity_def_init(raw.as_mut_ptr(), size_of::<sys::hs_elasticity_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_elasticity_def_init),
+        }
     }
 }
 
@@ -326,13 +317,9 @@ impl Bond {
 
 impl Default for Bond {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_bond_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_bond_def_init(raw.as_mut_ptr(), size_of::<sys::hs_bond_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_bond_def_init),
+        }
     }
 }
 
@@ -377,13 +364,9 @@ impl Bolt {
 
 impl Default for Bolt {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_bolt_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_bolt_def_init(raw.as_mut_ptr(), size_of::<sys::hs_bolt_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_bolt_def_init),
+        }
     }
 }
 
@@ -403,13 +386,9 @@ impl Water {
 
 impl Default for Water {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_water_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_water_def_init(raw.as_mut_ptr(), size_of::<sys::hs_water_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_water_def_init),
+        }
     }
 }
 
@@ -429,13 +408,9 @@ impl Motion {
 
 impl Default for Motion {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_motion_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_motion_def_init(raw.as_mut_ptr(), size_of::<sys::hs_motion_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_motion_def_init),
+        }
     }
 }
 
@@ -455,13 +430,9 @@ impl Relaxation {
 
 impl Default for Relaxation {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_relaxation_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_relaxation_def_init(raw.as_mut_ptr(), size_of::<sys::hs_relaxation_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_relaxation_def_init),
+        }
     }
 }
 
@@ -499,12 +470,8 @@ impl StrengthSearch {
 
 impl Default for StrengthSearch {
     fn default() -> Self {
-        let mut raw = MaybeUninit::<sys::hs_strength_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let raw = unsafe {
-            sys::hs_strength_def_init(raw.as_mut_ptr(), size_of::<sys::hs_strength_def>());
-            raw.assume_init()
-        };
-        Self { raw }
+        Self {
+            raw: defaults(sys::hs_strength_def_init),
+        }
     }
 }

@@ -6,6 +6,7 @@ use std::fmt;
 use halfspace_sys as sys;
 
 pub use crate::kinds::ErrorKind;
+use crate::Result;
 
 impl ErrorKind {
     /// The status code of the C interface.
@@ -62,6 +63,21 @@ impl Error {
     pub fn kind(&self) -> ErrorKind {
         self.kind
     }
+}
+
+/// Refuses arguments for which a condition does not hold.
+pub(crate) fn require(holds: bool, text: impl FnOnce() -> String) -> Result<()> {
+    if holds {
+        return Ok(());
+    }
+    Err(Error::argument(&text()))
+}
+
+/// Refuses an array that does not have one entry for each of some things.
+pub(crate) fn require_entries(name: &str, count: usize, needed: usize, of: &str) -> Result<()> {
+    require(count == needed, || {
+        format!("{name} has {count} entries; there are {needed} {of}")
+    })
 }
 
 impl fmt::Display for Error {

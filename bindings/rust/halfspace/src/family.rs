@@ -106,23 +106,17 @@ impl sealed::Members for Context {
     }
 }
 
-impl sealed::Members for Shape {
-    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
-        visitor(self.owner());
-    }
+macro_rules! with_object {
+    ($($member:ty),*) => {
+        $(impl sealed::Members for $member {
+            fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
+                visitor(self.object.owner());
+            }
+        })*
+    };
 }
 
-impl sealed::Members for Mesh {
-    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
-        visitor(self.owner());
-    }
-}
-
-impl sealed::Members for World {
-    fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {
-        visitor(self.owner());
-    }
-}
+with_object!(Shape, Mesh, World);
 
 impl<T: sealed::Members> sealed::Members for Vec<T> {
     fn visit(&self, visitor: &mut dyn FnMut(&Arc<Owner>)) {

@@ -3,6 +3,7 @@
 use halfspace_sys as sys;
 
 use crate::affine::Tensor;
+use crate::call::call;
 use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::Result;
@@ -86,18 +87,8 @@ pub fn time_of_impact(
     duration: f64,
 ) -> Result<Impact> {
     let mut impact = Impact::default();
-    // SAFETY: the shapes live and nobody changes them, all else are references.
-    let status = unsafe {
-        sys::hs_pair_time_of_impact(
-            a.handle(),
-            &motion_of_a.raw,
-            b.handle(),
-            &motion_of_b.raw,
-            duration,
-            &mut impact.raw,
-        )
-    };
-    // The error text is in the context of the first shape.
-    a.owner().check(status)?;
+    call!(a => hs_pair_time_of_impact(
+        &motion_of_a.raw, b, &motion_of_b.raw, duration, &mut impact.raw
+    ))?;
     Ok(impact)
 }

@@ -64,8 +64,4 @@ impl Law {
         self.raw.stiffness_kind = sys::HS_STIFFNESS_NONE;
         self
     }
-
-    pub(crate) fn raw(&self) -> *const sys::hs_law_def {
-        &self.raw
-    }
 }

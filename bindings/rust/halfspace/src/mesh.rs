@@ -1,13 +1,11 @@
 //! Meshes: nodes, and cells that share them.
 
-use std::mem::size_of;
-use std::ptr::{self, NonNull};
-use std::sync::Arc;
-
 use halfspace_sys as sys;
 
-use crate::context::{Context, Owner};
+use crate::call::{call, create, written};
+use crate::context::Context;
 use crate::error::Error;
+use crate::object::Object;
 use crate::records::MeshProperties;
 use crate::view::View;
 use crate::Result;
@@ -69,8 +67,7 @@ impl Cell {
 /// ```
 #[derive(Debug)]
 pub struct Mesh {
-    handle: NonNull<sys::hs_mesh>,
-    owner: Arc<Owner>,
+    pub(crate) object: Object<sys::hs_mesh>,
     properties: MeshProperties,
 }
 
@@ -109,60 +106,20 @@ impl Mesh {
 
     /// The context of the mesh.
     pub fn context(&self) -> Context {
-        Context::of(&self.owner)
+        Context::of(self.object.owner())
     }
 
     fn make(context: &Context, dimension: i32, nodes: &View<'_>, cells: &[Cell]) -> Result<Self> {
         let kinds: Vec<i32> = cells.iter().map(Cell::kind).collect();
         let cell_nodes = indices(cells.iter().flat_map(Cell::nodes), "a mesh: cells")?;
-        let mut handle = ptr::null_mut();
-        // SAFETY: the context lives, the view borrows what it says, and both arrays are as long as
-        // said.
-        context.owner().check(unsafe {
-            sys::hs_mesh_create(
-                context.handle(),
-                dimension,
-                nodes.raw(),
-                kinds.as_ptr(),
-                kinds.len() as i64,
-                cell_nodes.as_ptr(),
-                cell_nodes.len() as i64,
-                &mut handle,
-            )
-        })?;
         let mut mesh = Self {
-            handle: NonNull::new(handle)
-                .ok_or_else(|| Error::argument("the library returned no mesh"))?,
-            owner: Arc::clone(context.owner()),
+            object: create!(context => hs_mesh_create(dimension, *nodes, [kinds], [cell_nodes]))?,
             properties: MeshProperties::default(),
         };
-        mesh.properties = mesh.get_properties()?;
+        // The search for surface faces allocates memory, so this can fail.
+        mesh.properties =
+            written(|properties, size| call!(mesh => hs_mesh_get_properties(properties, size)))?;
         Ok(mesh)
-    }
-
-    /// The search for surface faces allocates memory, so this can fail.
-    fn get_properties(&self) -> Result<MeshProperties> {
-        let mut raw = sys::hs_mesh_properties::default();
-        let size = size_of::<sys::hs_mesh_properties>();
-        // SAFETY: the mesh lives, and the size is that of the struct.
-        self.owner
-            .check(unsafe { sys::hs_mesh_get_properties(self.handle(), &mut raw, size) })?;
-        Ok(raw.into())
-    }
-
-    pub(crate) fn handle(&self) -> *const sys::hs_mesh {
-        self.handle.as_ptr()
-    }
-
-    pub(crate) fn owner(&self) -> &Arc<Owner> {
-        &self.owner
-    }
-}
-
-impl Drop for Mesh {
-    fn drop(&mut self) {
-        // SAFETY: it is the only owner of the handle, and the context lives as long as `owner`.
-        unsafe { sys::hs_mesh_destroy(self.handle.as_ptr()) }
     }
 }
 

@@ -6,7 +6,7 @@ use std::ptr;
 
 use halfspace_sys as sys;
 
-use crate::view::{require_one_length, require_within, FieldPlace, Point};
+use crate::view::{from_points, require_one_length, require_within, FieldPlace, Point};
 
 /// Points that the library writes in place, without a copy. Types that convert to a
 /// [`View`](crate::View) convert, borrowed mutably, to a `ViewMut`.
@@ -161,34 +161,9 @@ impl<'a> ViewMut<'a> {
         }
     }
 
-    pub(crate) fn raw(&mut self) -> sys::hs_mutable_view {
+    pub(crate) fn raw(self) -> sys::hs_mutable_view {
         self.raw
     }
 }
 
-impl<'a, const D: usize> From<&'a mut [[f64; D]]> for ViewMut<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a mut [[f64; D]]) -> Self {
-        Self::of(points, |point| point)
-    }
-}
-
-impl<'a, const D: usize, const N: usize> From<&'a mut [[f64; D]; N]> for ViewMut<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a mut [[f64; D]; N]) -> Self {
-        Self::from(points.as_mut_slice())
-    }
-}
-
-impl<'a, const D: usize> From<&'a mut Vec<[f64; D]>> for ViewMut<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a mut Vec<[f64; D]>) -> Self {
-        Self::from(points.as_mut_slice())
-    }
-}
+from_points!(ViewMut, as_mut_slice, mut);

@@ -1,14 +1,14 @@
 //! Contact detection of one pair or many pairs, for hosts with their own bodies.
 
 use std::marker::PhantomData;
-use std::mem::{size_of, MaybeUninit};
 use std::ptr;
 
 use halfspace_sys as sys;
 
+use crate::call::{call, counted, defaults};
 use crate::contact::Contact;
 use crate::context::Context;
-use crate::error::Error;
+use crate::error::require;
 use crate::placed::Placed;
 use crate::pose::Pose;
 use crate::shape::Shape;
@@ -61,45 +61,25 @@ impl Detector {
     /// Max angle of parallel edges (in 3D also faces, or an edge and a face), in radians, from 0 to
     /// 0.5; by default 0.01.
     pub fn parallel_angle(self, parallel_angle: f64) -> Self {
-        Self {
-            options: Some(sys::hs_pair_options {
-                parallel_angle,
-                ..self.known_options()
-            }),
-        }
+        self.with(|options| options.parallel_angle = parallel_angle)
     }
 
     /// Distance from the end of an edge (in 3D the boundary of a face) at which a vertex touches
     /// that end, divided by the length of the shorter edge, from 0 to 0.5; by default 1e-6.
     pub fn vertex_zone(self, vertex_zone: f64) -> Self {
-        Self {
-            options: Some(sys::hs_pair_options {
-                vertex_zone,
-                ..self.known_options()
-            }),
-        }
+        self.with(|options| options.vertex_zone = vertex_zone)
     }
 
     /// Polygons are in contact up to this gap (skin), from 0 to 1e75 m; by default 0; must be 0 in
     /// 3D.
     pub fn margin(self, margin: f64) -> Self {
-        Self {
-            options: Some(sys::hs_pair_options {
-                margin,
-                ..self.known_options()
-            }),
-        }
+        self.with(|options| options.margin = margin)
     }
 
     /// Reports only the pair of largest gap of polygons in contact, without region, for hosts that
     /// compute their own points. 2D only.
     pub fn without_region(self) -> Self {
-        Self {
-            options: Some(sys::hs_pair_options {
-                without_region: 1,
-                ..self.known_options()
-            }),
-        }
+        self.with(|options| options.without_region = 1)
     }
 
     /// Are two shapes in contact, and how?
@@ -118,7 +98,7 @@ impl Detector {
     /// Likewise, into an existing contact. Its ids and forces are not written.
     #[inline]
     pub fn detect_into(&self, a: Placed<'_>, b: Placed<'_>, contact: &mut Contact) -> Result<()> {
-        self.call(a, b, ptr::null_mut(), contact)
+        self.call(a, b, None, contact)
     }
 
     /// Likewise, with the cache of this pair from the last call.
@@ -130,7 +110,7 @@ impl Detector {
         cache: &mut PairCache,
         contact: &mut Contact,
     ) -> Result<()> {
-        self.call(a, b, &mut cache.raw, contact)
+        self.call(a, b, Some(&mut cache.raw), contact)
     }
 
     /// Detects the contacts of many pairs of bodies, given by indices. Returns the number of pairs
@@ -160,45 +140,32 @@ impl Detector {
         caches: &mut [PairCache],
         contacts: &mut [Contact],
     ) -> Result<usize> {
-        if poses.len() != bodies.len() {
-            return Err(Error::argument(
-                "Detector::detect_pairs: poses must have one entry per body",
-            ));
-        }
-        if contacts.len() != pairs.len() {
-            return Err(Error::argument(
-                "Detector::detect_pairs: contacts must have one entry per pair",
-            ));
-        }
-        if !(caches.is_empty() || caches.len() == pairs.len()) {
-            return Err(Error::argument(
-                "Detector::detect_pairs: caches must have no entry or one per pair",
-            ));
-        }
+        let check = |holds, text| require(holds, || format!("Detector::detect_pairs: {text}"));
+        let count = pairs.len();
+        check(
+            poses.len() == bodies.len(),
+            "poses must have one entry per body",
+        )?;
+        check(
+            contacts.len() == count,
+            "contacts must have one entry per pair",
+        )?;
+        let is_fit = caches.is_empty() || caches.len() == count;
+        check(is_fit, "caches must have no entry or one per pair")?;
         let caches = if caches.is_empty() {
             ptr::null_mut()
         } else {
             caches.as_mut_ptr()
         };
-        let mut touching = 0;
-        // SAFETY: the shapes live as long as `bodies` borrows them, and the lengths of all arrays
-        // are as given. Pose, PairCache and Contact have the layout of the structs of the library.
-        let status = unsafe {
-            sys::hs_pairs_detect(
-                context.handle(),
-                bodies.handles.as_ptr(),
-                poses.as_ptr().cast(),
-                bodies.len() as i64,
-                pairs.as_ptr().cast(),
-                pairs.len() as i64,
-                self.options(),
-                caches.cast(),
-                contacts.as_mut_ptr().cast(),
-                &mut touching,
-            )
-        };
-        context.owner().check(status)?;
-        Ok(touching as usize)
+        let options = self.options.as_ref();
+        let (shapes, contacts) = (bodies.handles.as_ptr(), contacts.as_mut_ptr().cast());
+        // SAFETY: the shapes live as long as `bodies` borrows them, and the lengths of all arrays are as given.
+        // PairCache and Contact have the layout of the structs of the library.
+        counted(|count| {
+            call!(context => hs_pairs_detect(
+                unsafe shapes, [poses], [pairs], options, unsafe caches.cast(), unsafe contacts, count
+            ))
+        })
     }
 
     #[inline]
@@ -206,40 +173,22 @@ impl Detector {
         &self,
         a: Placed<'_>,
         b: Placed<'_>,
-        cache: *mut sys::hs_pair_cache,
+        cache: Option<&mut sys::hs_pair_cache>,
         contact: &mut Contact,
     ) -> Result<()> {
-        // SAFETY: the shapes live and nobody changes them, the cache is NULL or valid, all else are
-        // references.
-        let status = unsafe {
-            sys::hs_pair_detect(
-                a.shape.handle(),
-                a.pose.raw(),
-                b.shape.handle(),
-                b.pose.raw(),
-                self.options(),
-                cache,
-                contact.raw_mut(),
-            )
-        };
         // The error text is in the context of the first shape.
-        a.shape.owner().check(status)
+        let (options, contact) = (self.options.as_ref(), &mut contact.raw);
+        call!(a.shape => hs_pair_detect(a.pose, b.shape, b.pose, options, cache, contact))
     }
 
-    #[inline]
-    fn options(&self) -> *const sys::hs_pair_options {
-        self.options.as_ref().map_or(ptr::null(), |options| options)
-    }
-
-    fn known_options(&self) -> sys::hs_pair_options {
-        self.options.unwrap_or_else(|| {
-            let mut options = MaybeUninit::<sys::hs_pair_options>::zeroed();
-            // SAFETY: the size is that of the struct, for which all zero is valid.
-            unsafe {
-                sys::hs_pair_options_init(options.as_mut_ptr(), size_of::<sys::hs_pair_options>());
-                options.assume_init()
-            }
-        })
+    fn with(self, change: impl FnOnce(&mut sys::hs_pair_options)) -> Self {
+        let mut options = self
+            .options
+            .unwrap_or_else(|| defaults(sys::hs_pair_options_init));
+        change(&mut options);
+        Self {
+            options: Some(options),
+        }
     }
 }
 

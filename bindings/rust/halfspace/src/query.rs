@@ -2,6 +2,7 @@
 
 use halfspace_sys as sys;
 
+use crate::call::{call, counted, written};
 use crate::context::Context;
 use crate::placed::Placed;
 use crate::records::{ClosestPoints, RayHit};
@@ -23,20 +24,7 @@ use crate::Result;
 /// # Ok::<(), halfspace::Error>(())
 /// ```
 pub fn closest_points(a: Placed<'_>, b: Placed<'_>) -> Result<ClosestPoints> {
-    let mut points = sys::hs_closest_points::default();
-    // SAFETY: the shapes live and nobody changes them, all else are references.
-    let status = unsafe {
-        sys::hs_pair_distance(
-            a.shape.handle(),
-            a.pose.raw(),
-            b.shape.handle(),
-            b.pose.raw(),
-            &mut points,
-        )
-    };
-    // The error text is in the context of the first shape.
-    a.shape.owner().check(status)?;
-    Ok(points.into())
+    written(|points, _| call!(a.shape => hs_pair_distance(a.pose, b.shape, b.pose, points)))
 }
 
 impl Placed<'_> {
@@ -59,19 +47,9 @@ impl Placed<'_> {
         direction: [f64; 3],
         max_distance: f64,
     ) -> Result<Option<RayHit>> {
-        let mut hit = sys::hs_ray_hit::default();
-        // SAFETY: the shape lives and nobody changes it, all else are references.
-        let status = unsafe {
-            sys::hs_shape_cast_ray(
-                self.shape.handle(),
-                self.pose.raw(),
-                &origin,
-                &direction,
-                max_distance,
-                &mut hit,
-            )
-        };
-        self.shape.owner().check(status)?;
+        let hit: sys::hs_ray_hit = written(
+            |hit, _| call!(self.shape => hs_shape_cast_ray(self.pose, &origin, &direction, max_distance, hit)),
+        )?;
         Ok((hit.is_hit != 0).then(|| hit.into()))
     }
 }
@@ -86,11 +64,9 @@ impl World {
         direction: [f64; 3],
         max_distance: f64,
     ) -> Result<Option<RayHit>> {
-        let mut hit = sys::hs_ray_hit::default();
-        // SAFETY: the world lives.
-        self.check(unsafe {
-            sys::hs_world_cast_ray(self.handle(), &origin, &direction, max_distance, &mut hit)
-        })?;
+        let hit: sys::hs_ray_hit = written(
+            |hit, _| call!(self => hs_world_cast_ray(&origin, &direction, max_distance, hit)),
+        )?;
         Ok((hit.is_hit != 0).then(|| hit.into()))
     }
 }
@@ -112,26 +88,16 @@ pub fn find_box_pairs<'a>(
     lower: impl Into<View<'a>>,
     upper: impl Into<View<'a>>,
 ) -> Result<Vec<[i32; 2]>> {
-    let (lower, upper) = (lower.into().raw(), upper.into().raw());
-    let is_in_plane = lower.z.is_null() || upper.z.is_null();
-    let mut pairs = vec![[0; 2]; lower.count as usize];
+    let (lower, upper) = (lower.into(), upper.into());
+    let dimension = lower.dimension().min(upper.dimension());
+    let mut pairs = vec![[0; 2]; lower.count()];
     loop {
-        let (capacity, mut count) = (pairs.len() as i64, 0);
-        // SAFETY: the views borrow what they say, and the array is as long as said.
-        let status = unsafe {
-            sys::hs_boxes_find_pairs(
-                context.handle(),
-                if is_in_plane { 2 } else { 3 },
-                lower,
-                upper,
-                pairs.as_mut_ptr().cast(),
-                capacity,
-                &mut count,
-            )
-        };
-        context.owner().check(status)?;
-        pairs.resize(count as usize, [0; 2]);
-        if count <= capacity {
+        let count = counted(
+            |count| call!(context => hs_boxes_find_pairs(dimension, lower, upper, [mut pairs], count)),
+        )?;
+        let is_whole = count <= pairs.len();
+        pairs.resize(count, [0; 2]);
+        if is_whole {
             return Ok(pairs);
         }
     }
@@ -149,17 +115,9 @@ pub fn find_box_pairs<'a>(
 /// # Ok::<(), halfspace::Error>(())
 /// ```
 pub fn order_along_curve<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Vec<i32>> {
-    let points = points.into().raw();
-    let mut order = vec![0; points.count as usize];
-    // SAFETY: the view borrows what it says, and the array is as long.
-    let status = unsafe {
-        sys::hs_points_order_along_curve(
-            context.handle(),
-            if points.z.is_null() { 2 } else { 3 },
-            points,
-            order.as_mut_ptr(),
-        )
-    };
-    context.owner().check(status)?;
+    let points = points.into();
+    let (dimension, mut order) = (points.dimension(), vec![0; points.count()]);
+    // SAFETY: there is one index per point.
+    call!(context => hs_points_order_along_curve(dimension, points, unsafe order.as_mut_ptr()))?;
     Ok(order)
 }

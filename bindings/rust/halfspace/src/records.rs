@@ -513,8 +513,8 @@ impl From<sys::hs_bolt> for BoltState {
     fn from(raw: sys::hs_bolt) -> Self {
         Self {
             number: raw.number as u64,
-            block_a: Block::from_raw(raw.block_a),
-            block_b: Block::from_raw(raw.block_b),
+            block_a: Block::from_id(raw.block_a),
+            block_b: Block::from_id(raw.block_b),
             place_a: raw.place_a,
             place_b: raw.place_b,
             tension: raw.tension,
@@ -559,7 +559,7 @@ impl From<sys::hs_bond> for BondState {
             damage: raw.damage,
             normal_force: raw.normal_force,
             shear_force: raw.shear_force,
-            blocks: Block::from_raw(raw.block_a).zip(Block::from_raw(raw.block_b)),
+            blocks: Block::from_id(raw.block_a).zip(Block::from_id(raw.block_b)),
         }
     }
 }
@@ -667,7 +667,7 @@ impl From<sys::hs_note> for Note {
             setting: Setting::from_value(raw.setting),
             material_a: usize::try_from(raw.material_a).ok(),
             material_b: usize::try_from(raw.material_b).ok(),
-            block: Block::from_raw(raw.block),
+            block: Block::from_id(raw.block),
             value: raw.value,
             usual_low: raw.usual_low,
             usual_high: raw.usual_high,
@@ -825,8 +825,8 @@ impl From<sys::hs_world_plan> for Plan {
             block_bytes: raw.block_bytes as usize,
             pair_bytes: raw.pair_bytes as usize,
             stable_time_step: raw.stable_time_step,
-            limiting_block: Block::from_raw(raw.limiting_block),
-            limiting_neighbor: Block::from_raw(raw.limiting_neighbor),
+            limiting_block: Block::from_id(raw.limiting_block),
+            limiting_neighbor: Block::from_id(raw.limiting_neighbor),
             measured_steps: raw.measured_steps as u64,
             search_seconds: raw.search_seconds,
             pair_seconds: raw.pair_seconds,
@@ -871,7 +871,7 @@ impl From<sys::hs_ray_hit> for RayHit {
     fn from(raw: sys::hs_ray_hit) -> Self {
         Self {
             face: usize::try_from(raw.face).ok(),
-            block: Block::from_raw(raw.block),
+            block: Block::from_id(raw.block),
             distance: raw.distance,
             point: raw.point,
             normal: raw.normal,
@@ -927,7 +927,7 @@ impl From<sys::hs_balance> for Balance {
             largest: raw.largest,
             largest_force: raw.largest_force,
             steps: raw.steps as u64,
-            largest_force_block: Block::from_raw(raw.largest_force_block),
+            largest_force_block: Block::from_id(raw.largest_force_block),
         }
     }
 }

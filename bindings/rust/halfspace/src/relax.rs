@@ -5,6 +5,7 @@ use std::mem::size_of;
 
 use halfspace_sys as sys;
 
+use crate::call::{call, written};
 use crate::records::Balance;
 use crate::world::World;
 use crate::Result;
@@ -93,12 +94,12 @@ impl World {
     /// # Errors
     /// Those of [`World::step`]; the world keeps its last state.
     pub fn relax(&mut self, relaxation: &Relaxation) -> Result<Relaxed> {
-        let mut raw = sys::hs_balance::default();
-        let size = size_of::<sys::hs_balance>();
+        let (mut raw, size) = (sys::hs_balance::default(), size_of::<sys::hs_balance>());
+        let world = self.object.handle_mut();
         // SAFETY: the world lives and is borrowed mutably, the relaxation is valid, and the size is
         // that of the struct.
-        let status = unsafe { sys::hs_world_relax(self.handle(), &relaxation.raw, &mut raw, size) };
-        self.check(status)?;
+        let status = unsafe { sys::hs_world_relax(world, &relaxation.raw, &mut raw, size) };
+        self.object.owner().check(status)?;
         Ok(Relaxed {
             is_at_rest: status != sys::HS_NOTE_NOT_AT_REST,
             steps: raw.steps as u64,
@@ -108,30 +109,23 @@ impl World {
 
     /// Returns the current balance of forces. It costs as much as a step.
     pub fn balance(&mut self) -> Result<Balance> {
-        let mut raw = sys::hs_balance::default();
-        let size = size_of::<sys::hs_balance>();
-        // SAFETY: the world lives and is borrowed mutably, and the size is that of the struct.
-        self.check(unsafe { sys::hs_world_get_balance(self.handle(), &mut raw, size) })?;
-        Ok(raw.into())
+        written(|balance, size| call!(mut self => hs_world_get_balance(balance, size)))
     }
 
     /// Sets gravity, in m/s2. The change of potential energy counts as external work.
     pub fn set_gravity(&mut self, gravity: [f64; 3]) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_set_gravity(self.handle(), &gravity) })
+        call!(mut self => hs_world_set_gravity(&gravity))
     }
 
     /// Sets local and mass damping: see [`WorldDef::local_damping`](crate::WorldDef::local_damping)
     /// and [`WorldDef::mass_damping`](crate::WorldDef::mass_damping).
     pub fn set_damping(&mut self, local_damping: f64, mass_damping: f64) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_set_damping(self.handle(), local_damping, mass_damping) })
+        call!(mut self => hs_world_set_damping(local_damping, mass_damping))
     }
 
     /// Sets the time step, in s; 0: a fraction of the stable time step, see
     /// [`WorldDef::time_step`](crate::WorldDef::time_step).
     pub fn set_time_step(&mut self, time_step: f64) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_set_time_step(self.handle(), time_step) })
+        call!(mut self => hs_world_set_time_step(time_step))
     }
 }

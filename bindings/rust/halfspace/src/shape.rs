@@ -1,14 +1,13 @@
 //! Convex shapes.
 
-use std::mem::size_of;
-use std::ptr::{self, NonNull};
-use std::sync::Arc;
+use std::ptr;
 
 use halfspace_sys as sys;
 
-use crate::context::{Context, Owner};
-use crate::error::Error;
+use crate::call::{call, create, known, sure};
+use crate::context::Context;
 use crate::mutable_view::ViewMut;
+use crate::object::Object;
 use crate::records::{FitReport, ShapeProperties};
 use crate::shape_input::FaceLists;
 use crate::view::View;
@@ -41,8 +40,7 @@ use crate::Result;
 /// ```
 #[derive(Debug)]
 pub struct Shape {
-    handle: NonNull<sys::hs_shape>,
-    owner: Arc<Owner>,
+    pub(crate) object: Object<sys::hs_shape>,
 }
 
 // SAFETY: it is the only owner of its handle, and the thread rule of shape.h allows that a shape is
@@ -74,21 +72,13 @@ pub struct Cut {
 impl Shape {
     /// Creates a convex polygon from its vertices, clockwise or counter-clockwise.
     pub fn polygon<'a>(context: &Context, vertices: impl Into<View<'a>>) -> Result<Self> {
-        let vertices = vertices.into().raw();
-        // SAFETY: the view borrows what it says.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polygon_create(context.handle(), vertices, shape)
-        })
+        create!(context => hs_polygon_create(vertices.into())).map(Self::of)
     }
 
     /// Creates the convex hull of points as a polygon. Points are in any order; inner and repeated
     /// points are allowed.
     pub fn polygon_hull<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Self> {
-        let points = points.into().raw();
-        // SAFETY: the view borrows what it says.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polygon_create_hull(context.handle(), points, shape)
-        })
+        create!(context => hs_polygon_create_hull(points.into())).map(Self::of)
     }
 
     /// Creates a boundary segment between two ends for a fixed or prescribed block: a virtual
@@ -118,22 +108,9 @@ impl Shape {
         let three = |[x, y]: [f64; 2]| [x, y, 0.0];
         let [first, second] = ends.map(three);
         let [before, after] = neighbours.map(|end| end.map(three));
-        let pointer = |end: &Option<[f64; 3]>| {
-            end.as_ref()
-                .map_or(ptr::null(), |end| end as *const [f64; 3])
-        };
-        // SAFETY: all are references or null where that is allowed.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polygon_create_boundary(
-                context.handle(),
-                pointer(&before),
-                &first,
-                &second,
-                pointer(&after),
-                depth,
-                shape,
-            )
-        })
+        let (before, after) = (before.as_ref(), after.as_ref());
+        create!(context => hs_polygon_create_boundary(before, &first, &second, after, depth))
+            .map(Self::of)
     }
 
     /// Creates a convex polyhedron from its vertices and faces. A face is a list of vertex indices
@@ -155,19 +132,8 @@ impl Shape {
         vertices: impl Into<View<'a>>,
         faces: &[F],
     ) -> Result<Self> {
-        let vertices = vertices.into().raw();
-        let faces = FaceLists::new(faces)?;
-        // SAFETY: the view borrows what it says, and the lists are as long as the sizes add up to.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polyhedron_create(
-                context.handle(),
-                vertices,
-                faces.sizes.as_ptr(),
-                faces.sizes.len() as i64,
-                faces.vertices.as_ptr(),
-                shape,
-            )
-        })
+        let (vertices, faces) = (vertices.into(), FaceLists::new(faces)?);
+        create!(context => hs_polyhedron_create(vertices, [faces.sizes], &faces)).map(Self::of)
     }
 
     /// Creates a polyhedron from facets that are plane and convex within a tolerance, e.g. from a
@@ -180,52 +146,31 @@ impl Shape {
         faces: &[F],
         tolerance: f64,
     ) -> Result<(Self, FitReport)> {
-        let vertices = vertices.into().raw();
-        let faces = FaceLists::new(faces)?;
+        let (vertices, faces) = (vertices.into(), FaceLists::new(faces)?);
         let mut report = sys::hs_fit_report::default();
-        // SAFETY: the view borrows what it says, and the lists are as long as the sizes add up to.
-        let shape = Self::make(context, |shape| unsafe {
-            sys::hs_polyhedron_create_fitted(
-                context.handle(),
-                vertices,
-                faces.sizes.as_ptr(),
-                faces.sizes.len() as i64,
-                faces.vertices.as_ptr(),
-                tolerance,
-                shape,
-                &mut report,
-            )
+        let shape = Object::make(context, |shape| {
+            call!(context => hs_polyhedron_create_fitted(
+                vertices, [faces.sizes], &faces, tolerance, shape, &mut report
+            ))
         })?;
-        Ok((shape, report.into()))
+        Ok((Self::of(shape), report.into()))
     }
 
     /// Creates the convex hull of points as a polyhedron. Facets that are coplanar to rounding are
     /// one face.
     pub fn polyhedron_hull<'a>(context: &Context, points: impl Into<View<'a>>) -> Result<Self> {
-        let points = points.into().raw();
-        // SAFETY: the view borrows what it says.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polyhedron_create_hull(context.handle(), points, shape)
-        })
+        create!(context => hs_polyhedron_create_hull(points.into())).map(Self::of)
     }
 
     /// Creates the intersection of half-spaces as a polyhedron. Normals may have any length except
     /// 0. A half-space that is redundant to rounding makes no face.
     pub fn polyhedron_from_halfspaces(context: &Context, halfspaces: &[HalfSpace]) -> Result<Self> {
-        let normals = View::of(halfspaces, |halfspace| &halfspace.normal).raw();
-        let offsets: Vec<f64> = halfspaces
-            .iter()
-            .map(|halfspace| halfspace.offset)
-            .collect();
+        let normals = View::of(halfspaces, |halfspace| &halfspace.normal);
+        let offsets: Vec<f64> = halfspaces.iter().map(|each| each.offset).collect();
+        let first = offsets.as_ptr();
         // SAFETY: there are as many offsets as normals.
-        Self::make(context, |shape| unsafe {
-            sys::hs_polyhedron_create_from_halfspaces(
-                context.handle(),
-                normals,
-                offsets.as_ptr(),
-                shape,
-            )
-        })
+        create!(context => hs_polyhedron_create_from_halfspaces(normals, unsafe first))
+            .map(Self::of)
     }
 
     /// Cuts the shape by a plane (2D: a line) through a point, with a normal of any length except
@@ -233,15 +178,11 @@ impl Shape {
     /// rounding, it is `None` and the other part is a copy of the shape.
     pub fn cut(&self, point: [f64; 3], normal: [f64; 3]) -> Result<Cut> {
         let (mut behind, mut ahead) = (ptr::null_mut(), ptr::null_mut());
-        // SAFETY: the shape lives, all else are references.
-        let status =
-            unsafe { sys::hs_shape_cut(self.handle(), &point, &normal, &mut behind, &mut ahead) };
-        self.owner.check(status)?;
+        call!(self => hs_shape_cut(&point, &normal, &mut behind, &mut ahead))?;
         let part = |handle| {
-            NonNull::new(handle).map(|handle| Self {
-                handle,
-                owner: Arc::clone(&self.owner),
-            })
+            // SAFETY: the library has created it in the context of this shape, for this caller.
+            let object = unsafe { Object::own(self.object.owner(), handle) };
+            object.map(Self::of)
         };
         Ok(Cut {
             behind: part(behind),
@@ -264,38 +205,20 @@ impl Shape {
     /// # Ok::<(), halfspace::Error>(())
     /// ```
     pub fn set_vertices<'a>(&mut self, vertices: impl Into<View<'a>>) -> Result<()> {
-        let vertices = vertices.into().raw();
-        // SAFETY: the shape lives and is borrowed exclusively; the view borrows what it says.
-        self.owner
-            .check(unsafe { sys::hs_shape_set_vertices(self.handle.as_ptr(), vertices) })
+        call!(mut self => hs_shape_set_vertices(vertices.into()))
     }
 
     /// Returns geometry and mass properties.
     pub fn properties(&self) -> ShapeProperties {
-        let mut raw = sys::hs_shape_properties::default();
-        // SAFETY: the shape lives, and the size is that of the struct.
-        self.owner.expect(unsafe {
-            sys::hs_shape_get_properties(
-                self.handle(),
-                &mut raw,
-                size_of::<sys::hs_shape_properties>(),
-            )
-        });
-        raw.into()
+        known(|properties, size| call!(self => hs_shape_get_properties(properties, size)))
     }
 
     /// Returns the vertices, in the coordinates that the shape was made from; in 2D
     /// counter-clockwise.
     pub fn vertices(&self) -> Vec<[f64; 3]> {
         let mut vertices = vec![[0.0; 3]; self.properties().vertex_count];
-        // SAFETY: the shape lives, and the view borrows what it says.
-        self.owner.expect(unsafe {
-            sys::hs_shape_get_vertices(
-                self.handle(),
-                ViewMut::from(&mut vertices).raw(),
-                ptr::null_mut(),
-            )
-        });
+        let room = ViewMut::from(&mut vertices);
+        sure(call!(self => hs_shape_get_vertices(room, &mut 0)));
         vertices
     }
 
@@ -305,34 +228,15 @@ impl Shape {
         let properties = self.properties();
         let mut first = vec![0; properties.face_count + 1];
         let mut vertices = vec![0; 2 * properties.edge_count];
-        // SAFETY: the shape lives, and both arrays are as long as said.
-        self.owner.expect(unsafe {
-            sys::hs_shape_get_faces(
-                self.handle(),
-                first.as_mut_ptr(),
-                first.len() as i64,
-                vertices.as_mut_ptr(),
-                vertices.len() as i64,
-                ptr::null_mut(),
-                ptr::null_mut(),
-            )
-        });
+        sure(call!(self => hs_shape_get_faces([mut first], [mut vertices], &mut 0, &mut 0)));
         FaceLists::split(&first, &vertices)
     }
 
     /// Returns the edges as pairs of vertex indices.
     /// [`Contact::features`](crate::Contact::features) uses their indices.
     pub fn edges(&self) -> Vec<[usize; 2]> {
-        let mut ends = vec![[0i32; 2]; self.properties().edge_count];
-        // SAFETY: the shape lives, and the array is as long as said.
-        self.owner.expect(unsafe {
-            sys::hs_shape_get_edges(
-                self.handle(),
-                ends.as_mut_ptr().cast(),
-                ends.len() as i64,
-                ptr::null_mut(),
-            )
-        });
+        let mut ends = vec![[0; 2]; self.properties().edge_count];
+        sure(call!(self => hs_shape_get_edges([mut ends], &mut 0)));
         ends.iter()
             .map(|ends| ends.map(|vertex| vertex as usize))
             .collect()
@@ -343,51 +247,21 @@ impl Shape {
     pub fn halfspaces(&self) -> Vec<HalfSpace> {
         let mut halfspaces = vec![HalfSpace::default(); self.properties().face_count];
         let mut offsets = vec![0.0; halfspaces.len()];
-        let mut normals = ViewMut::of(&mut halfspaces, |halfspace| &mut halfspace.normal);
-        // SAFETY: the shape lives, and there are as many offsets as normals.
-        self.owner.expect(unsafe {
-            sys::hs_shape_get_halfspaces(
-                self.handle(),
-                normals.raw(),
-                offsets.as_mut_ptr(),
-                ptr::null_mut(),
-            )
-        });
+        let normals = ViewMut::of(&mut halfspaces, |halfspace| &mut halfspace.normal);
+        // SAFETY: there are as many offsets as normals.
+        sure(call!(self => hs_shape_get_halfspaces(normals, unsafe offsets.as_mut_ptr(), &mut 0)));
         for (halfspace, offset) in halfspaces.iter_mut().zip(offsets) {
             halfspace.offset = offset;
         }
         halfspaces
     }
 
-    fn make(
-        context: &Context,
-        create: impl FnOnce(*mut *mut sys::hs_shape) -> sys::hs_status,
-    ) -> Result<Self> {
-        let mut handle = ptr::null_mut();
-        let status = create(&mut handle);
-        context.owner().check(status)?;
-        let handle =
-            NonNull::new(handle).ok_or_else(|| Error::argument("the library returned no shape"))?;
-        Ok(Self {
-            handle,
-            owner: Arc::clone(context.owner()),
-        })
-    }
-
     #[inline]
     pub(crate) fn handle(&self) -> *const sys::hs_shape {
-        self.handle.as_ptr()
+        self.object.handle()
     }
 
-    #[inline]
-    pub(crate) fn owner(&self) -> &Arc<Owner> {
-        &self.owner
-    }
-}
-
-impl Drop for Shape {
-    fn drop(&mut self) {
-        // SAFETY: it is the only owner of the handle, and the context lives as long as `owner`.
-        unsafe { sys::hs_shape_destroy(self.handle.as_ptr()) }
+    fn of(object: Object<sys::hs_shape>) -> Self {
+        Self { object }
     }
 }

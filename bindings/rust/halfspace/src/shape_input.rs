@@ -2,6 +2,7 @@
 
 use halfspace_sys as sys;
 
+use crate::call::{call, written};
 use crate::context::Context;
 use crate::error::Error;
 use crate::mutable_view::ViewMut;
@@ -24,12 +25,7 @@ impl Context {
     /// # Ok::<(), halfspace::Error>(())
     /// ```
     pub fn check_polygon<'a>(&self, vertices: impl Into<View<'a>>) -> Result<Option<Fault>> {
-        let mut fault = sys::hs_fault::default();
-        // SAFETY: the view borrows what it says.
-        let status =
-            unsafe { sys::hs_polygon_check(self.handle(), vertices.into().raw(), &mut fault) };
-        self.owner().check(status)?;
-        Ok(fault_of(fault))
+        written(|fault, _| call!(self => hs_polygon_check(vertices.into(), fault))).map(fault_of)
     }
 
     /// Validates the vertices and faces of a polyhedron without making a shape; arguments as for
@@ -40,19 +36,9 @@ impl Context {
         faces: &[F],
     ) -> Result<Option<Fault>> {
         let faces = FaceLists::new(faces)?;
-        let mut fault = sys::hs_fault::default();
-        // SAFETY: the view borrows what it says, and the lists are as long as the sizes add up to.
-        let status = unsafe {
-            sys::hs_polyhedron_check(
-                self.handle(),
-                vertices.into().raw(),
-                faces.sizes.as_ptr(),
-                faces.sizes.len() as i64,
-                faces.vertices.as_ptr(),
-                &mut fault,
-            )
-        };
-        self.owner().check(status)?;
+        let fault = written(
+            |fault, _| call!(self => hs_polyhedron_check(vertices.into(), [faces.sizes], &faces, fault)),
+        )?;
         Ok(fault_of(fault))
     }
 
@@ -65,20 +51,9 @@ impl Context {
     ) -> Result<Cleaned> {
         let given = vertices.into();
         let mut vertices = vec![[0.0; 2]; given.count()];
-        let mut count = 0;
-        let mut report = sys::hs_clean_report::default();
-        // SAFETY: both views are of memory that is there.
-        let status = unsafe {
-            sys::hs_polygon_clean(
-                self.handle(),
-                given.raw(),
-                tolerance,
-                ViewMut::from(&mut vertices).raw(),
-                &mut count,
-                &mut report,
-            )
-        };
-        self.owner().check(status)?;
+        let room = ViewMut::from(&mut vertices);
+        let (mut count, mut report) = (0, sys::hs_clean_report::default());
+        call!(self => hs_polygon_clean(given, tolerance, room, &mut count, &mut report))?;
         vertices.truncate(count as usize);
         Ok(Cleaned::new(report, vertices))
     }

@@ -1,11 +1,11 @@
 //! Shares of a world, for hosts that spread one world over processes.
 
-use std::mem::size_of;
 use std::ptr;
 
 use halfspace_sys as sys;
 
-use crate::error::Error;
+use crate::call::{call, create, known, sure, written};
+use crate::error::require;
 use crate::kinds::Role;
 use crate::records::{ShareInfo, SharePlan};
 use crate::world::World;
@@ -56,41 +56,25 @@ impl World {
     /// Names the blocks of a whole world, in the order of [`World::blocks`]: ascending. By default a
     /// block's key is its place there. Blocks that are added or removed later end these keys.
     pub fn set_keys(&mut self, keys: &[i64]) -> Result<()> {
-        let count = keys.len() as i64;
-        // SAFETY: the world lives and is borrowed mutably, and the array is as long as said.
-        self.check(unsafe { sys::hs_world_set_keys(self.handle(), keys.as_ptr(), count) })
+        call!(mut self => hs_world_set_keys([keys]))
     }
 
     /// Returns the keys of all blocks, in the order of [`World::blocks`], which is ascending.
     pub fn keys(&self) -> Vec<i64> {
-        let mut keys = vec![0; self.block_count()];
-        let (room, count) = (keys.as_mut_ptr(), keys.len() as i64);
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_keys(self.handle(), room, count, ptr::null_mut()) });
-        keys
+        self.of_blocks(|room| call!(self => hs_world_get_keys([mut room], &mut 0)))
     }
 
     /// Returns the roles of all blocks, in the order of [`World::blocks`]. In a whole world fixed and
     /// prescribed blocks are everywhere, all others own.
     pub fn roles(&self) -> Vec<Role> {
-        let mut roles = vec![0; self.block_count()];
-        let (room, count) = (roles.as_mut_ptr(), roles.len() as i64);
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_roles(self.handle(), room, count, ptr::null_mut())
-        });
+        let roles: Vec<i32> = self
+            .of_blocks(|room: &mut [i32]| call!(self => hs_world_get_roles([mut room], &mut 0)));
         roles.into_iter().map(Role::from_value).collect()
     }
 
     /// Returns numbers of blocks, and how far copies must reach, after [`World::plan_motion`].
     pub fn share_info(&mut self) -> ShareInfo {
-        let mut raw = sys::hs_share_info::default();
-        let size = size_of::<sys::hs_share_info>();
-        // SAFETY: the world lives and is borrowed mutably, and the size is that of the struct.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_share_info(self.handle(), &mut raw, size) });
-        raw.into()
+        known(|info, size| call!(mut self => hs_world_get_share_info(info, size)))
     }
 
     /// Packs own blocks, or blocks that are everywhere, in any order: their motion, and the memory of
@@ -115,21 +99,11 @@ impl World {
         bytes: &mut [u8],
         ends: &mut [usize],
     ) -> Result<usize> {
-        let mut needed = 0;
-        // SAFETY: the world lives and is borrowed mutably, and there is an end per key.
-        self.check(unsafe {
-            sys::hs_world_pack(
-                self.handle(),
-                keys.as_ptr(),
-                keys.len() as i64,
-                with_shapes.into(),
-                bytes.as_mut_ptr().cast(),
-                bytes.len(),
-                ends.as_mut_ptr(),
-                &mut needed,
-            )
-        })?;
-        Ok(needed)
+        let ends = ends.as_mut_ptr();
+        // SAFETY: there is an end per key.
+        written(
+            |needed, _| call!(mut self => hs_world_pack([keys], with_shapes, [mut bytes], unsafe ends, needed)),
+        )
     }
 
     /// Makes a world of blocks, in the same context: a share, or the whole world again where all its
@@ -162,71 +136,50 @@ impl World {
     /// hold, [`ErrorKind::Format`](crate::ErrorKind::Format) for damaged bytes.
     pub fn assemble(&mut self, blocks: &[Packed]) -> Result<World> {
         let raw: Vec<_> = blocks.iter().map(Packed::raw).collect();
-        let (context, from) = (self.context(), self.handle());
-        // SAFETY: context and world live and are of one thread, and the bytes are as many as said.
-        World::make(&context, |share| unsafe {
-            sys::hs_world_assemble(
-                context.handle(),
-                from,
-                raw.as_ptr(),
-                raw.len() as i64,
-                share,
-            )
-        })
+        let context = &self.context();
+        create!(context => hs_world_assemble(self, [raw])).map(World::of)
     }
 
     /// Returns the share's energies and losses (16, J), powers (5, W), linear momentum (3, N s) and angular
     /// momentum about the origin (3, N m s).
     pub fn sums(&self) -> Sums {
         let mut sums = Sums::default();
-        // SAFETY: the world lives, and the array is as long as the library's.
-        self.owner()
-            .expect(unsafe { sys::hs_world_get_sums(self.handle(), sums.as_mut_ptr()) });
+        sure(call!(self => hs_world_get_sums(&mut sums)));
         sums
     }
 
     /// Sets them, all but the momentum: to the sums over the shares whose blocks the world has taken over.
     pub fn set_sums(&mut self, sums: &Sums) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, and the array is as long as the library's.
-        self.check(unsafe { sys::hs_world_set_sums(self.handle(), sums.as_ptr()) })
+        call!(mut self => hs_world_set_sums(sums))
     }
 
     /// Begins after blocks were added, or laws, velocities or forces changed: computes contacts and
     /// forces where blocks are. Then loads are carried, and [`World::end_begin`] follows.
     pub fn begin(&mut self) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_begin(self.handle()) })
+        call!(mut self => hs_world_begin())
     }
 
     /// Computes accelerations and energies of the beginning, from the loads.
     pub fn end_begin(&mut self) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_end_begin(self.handle()) })
+        call!(mut self => hs_world_end_begin())
     }
 
     /// Plans the motion of a step, without moving any block. The host combines the plans of all
     /// shares: a list or an assembly is needed if any share needs it, and any refusal counts.
     pub fn plan_motion(&mut self) -> Result<SharePlan> {
-        let mut plan = sys::hs_share_plan::default();
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_plan_motion(self.handle(), &mut plan) })?;
-        Ok(plan.into())
+        written(|plan, _| call!(mut self => hs_world_plan_motion(plan)))
     }
 
     /// Renews the list of pairs for the planned motion, in all shares if the plan of any needs it.
     /// Returns the plan with the new list, whose refusal counts.
     pub fn renew_list(&mut self) -> Result<SharePlan> {
-        let mut plan = sys::hs_share_plan::default();
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_renew_list(self.handle(), &mut plan) })?;
-        Ok(plan.into())
+        written(|plan, _| call!(mut self => hs_world_renew_list(plan)))
     }
 
     /// Makes the planned motion, which must be without a refusal, and computes contacts and forces
     /// after it.
     pub fn move_blocks(&mut self) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_move(self.handle()) })
+        call!(mut self => hs_world_move())
     }
 
     /// Numbers per key of [`World::loads`].
@@ -243,32 +196,24 @@ impl World {
     /// materials the virial.
     pub fn loads(&mut self, keys: &[i64]) -> Result<Vec<f64>> {
         let mut loads = vec![0.0; keys.len() * self.load_length()];
-        let (room, count) = (loads.as_mut_ptr(), keys.len() as i64);
-        // SAFETY: the world lives, and there is room for the loads of all keys.
-        self.check(unsafe { sys::hs_world_get_loads(self.handle(), keys.as_ptr(), count, room) })?;
+        // SAFETY: there is room for the loads of all keys.
+        call!(self => hs_world_get_loads([keys], unsafe loads.as_mut_ptr()))?;
         Ok(loads)
     }
 
     /// Sets the loads of the contacts on copies, as [`World::loads`] of their owner returned them.
     pub fn set_loads(&mut self, keys: &[i64], loads: &[f64]) -> Result<()> {
-        let expected = keys.len() * self.load_length();
-        if loads.len() != expected {
-            return Err(Error::argument(&format!(
-                "World::set_loads: loads has {} numbers; {} keys take {expected}",
-                loads.len(),
-                keys.len()
-            )));
-        }
-        let count = keys.len() as i64;
-        // SAFETY: the world lives and is borrowed mutably, and there are loads of all keys.
-        self.check(unsafe {
-            sys::hs_world_set_loads(self.handle(), keys.as_ptr(), count, loads.as_ptr())
-        })
+        let (count, keys_count) = (loads.len(), keys.len());
+        let needed = keys_count * self.load_length();
+        require(count == needed, || {
+            format!("World::set_loads: loads has {count} numbers; {keys_count} keys take {needed}")
+        })?;
+        // SAFETY: there are loads of all keys.
+        call!(mut self => hs_world_set_loads([keys], unsafe loads.as_ptr()))
     }
 
     /// Ends the step: computes velocities and energies at the end of the motion, from the loads.
     pub fn end_step(&mut self) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_end_step(self.handle()) })
+        call!(mut self => hs_world_end_step())
     }
 }

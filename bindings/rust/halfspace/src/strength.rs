@@ -1,10 +1,11 @@
 //! Factor of safety by strength reduction (Zienkiewicz, Humpheson and Lewis 1975).
 
-use std::mem::size_of;
 use std::ptr;
 
 use halfspace_sys as sys;
 
+use crate::call::{call, written};
+use crate::object::Object;
 use crate::records::StrengthFound;
 use crate::world::World;
 use crate::Result;
@@ -35,8 +36,7 @@ impl World {
     /// and bonds by a factor from 1e-75 to 1e75. Calls do not accumulate; 1 restores the given
     /// values, to rounding.
     pub fn set_strength_factor(&mut self, factor: f64) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_set_strength_factor(self.handle(), factor) })
+        call!(mut self => hs_world_set_strength_factor(factor))
     }
 
     /// Computes the factor of safety by bisection. Each trial relaxes a copy of the world with
@@ -64,21 +64,12 @@ impl World {
     /// # Errors
     /// Those of [`World::step`] for a trial that cannot be stepped.
     pub fn find_strength_factor(&self, search: &StrengthSearch) -> Result<StrengthFound> {
-        let mut raw = sys::hs_strength_report::default();
-        let size = size_of::<sys::hs_strength_report>();
         let mut fallen = ptr::null_mut();
-        // SAFETY: the world lives, the search is valid, and the size is that of the struct.
-        self.check(unsafe {
-            sys::hs_world_find_strength_factor(
-                self.handle(),
-                &search.raw,
-                &mut raw,
-                size,
-                &mut fallen,
-            )
-        })?;
+        let raw = written(
+            |report, size| call!(self => hs_world_find_strength_factor(&search.raw, report, size, &mut fallen)),
+        )?;
         // SAFETY: the library has created it in the context of this world, for this caller.
-        let fallen = unsafe { World::own(self.owner(), fallen) };
-        Ok(StrengthFound::new(raw, fallen))
+        let fallen = unsafe { Object::own(self.object.owner(), fallen) };
+        Ok(StrengthFound::new(raw, fallen.map(World::of)))
     }
 }

@@ -142,37 +142,53 @@ impl<'a> View<'a> {
         }
     }
 
-    pub(crate) fn raw(&self) -> sys::hs_view {
+    pub(crate) fn dimension(&self) -> i32 {
+        if self.raw.z.is_null() {
+            2
+        } else {
+            3
+        }
+    }
+
+    pub(crate) fn raw(self) -> sys::hs_view {
         self.raw
     }
 }
 
-impl<'a, const D: usize> From<&'a [[f64; D]]> for View<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a [[f64; D]]) -> Self {
-        Self::of(points, |point| point)
-    }
+/// Slices, arrays and vectors of points convert to views.
+macro_rules! from_points {
+    ($view:ident, $as_slice:ident $(, $mutable:tt)?) => {
+        impl<'a, const D: usize> From<&'a $($mutable)? [[f64; D]]> for $view<'a>
+        where
+            [f64; D]: Point,
+        {
+            fn from(points: &'a $($mutable)? [[f64; D]]) -> Self {
+                Self::of(points, |point| point)
+            }
+        }
+
+        impl<'a, const D: usize, const N: usize> From<&'a $($mutable)? [[f64; D]; N]> for $view<'a>
+        where
+            [f64; D]: Point,
+        {
+            fn from(points: &'a $($mutable)? [[f64; D]; N]) -> Self {
+                Self::from(points.$as_slice())
+            }
+        }
+
+        impl<'a, const D: usize> From<&'a $($mutable)? Vec<[f64; D]>> for $view<'a>
+        where
+            [f64; D]: Point,
+        {
+            fn from(points: &'a $($mutable)? Vec<[f64; D]>) -> Self {
+                Self::from(points.$as_slice())
+            }
+        }
+    };
 }
 
-impl<'a, const D: usize, const N: usize> From<&'a [[f64; D]; N]> for View<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a [[f64; D]; N]) -> Self {
-        Self::from(points.as_slice())
-    }
-}
-
-impl<'a, const D: usize> From<&'a Vec<[f64; D]>> for View<'a>
-where
-    [f64; D]: Point,
-{
-    fn from(points: &'a Vec<[f64; D]>) -> Self {
-        Self::from(points.as_slice())
-    }
-}
+from_points!(View, as_slice);
+pub(crate) use from_points;
 
 /// Computes the offset of a field of D numbers in its item, in bytes. It checks all items, as enums
 /// have the field in some only. For plain fields the compiler removes the loop.

@@ -2,6 +2,7 @@
 
 use halfspace_sys as sys;
 
+use crate::call::call;
 use crate::mutable_view::ViewMut;
 use crate::view::View;
 use crate::world::World;
@@ -44,16 +45,12 @@ impl World {
     /// # Ok::<(), halfspace::Error>(())
     /// ```
     pub fn set_water(&mut self, water: &Water, table: View) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, and the view borrows its points.
-        self.check(unsafe { sys::hs_world_set_water(self.handle(), &water.raw, table.raw()) })
+        call!(mut self => hs_world_set_water(&water.raw, table))
     }
 
     /// Writes the current loads of water: the force on each block, in the order of
     /// [`World::blocks`], and its torque about the centroid.
-    pub fn water_loads(&self, mut forces: ViewMut, mut torques: ViewMut) -> Result<()> {
-        // SAFETY: the world lives, and the views borrow their arrays.
-        self.check(unsafe {
-            sys::hs_world_get_water_loads(self.handle(), forces.raw(), torques.raw())
-        })
+    pub fn water_loads(&self, forces: ViewMut, torques: ViewMut) -> Result<()> {
+        call!(self => hs_world_get_water_loads(forces, torques))
     }
 }

@@ -1,16 +1,13 @@
 //! A world: blocks, materials, laws and time.
 
-use std::mem::{size_of, MaybeUninit};
-use std::os::raw::c_void;
-use std::ptr::{self, NonNull};
-use std::sync::Arc;
-
 use halfspace_sys as sys;
 
 use crate::block::{Block, BlockDef, Material};
-use crate::context::{Context, Owner};
+use crate::call::{call, create, filled, initial, known, sure, written};
+use crate::context::Context;
 use crate::error::Error;
 use crate::law::Law;
+use crate::object::Object;
 use crate::records::{Plan, Report};
 use crate::shape::Shape;
 use crate::Result;
@@ -40,13 +37,10 @@ impl WorldDef {
 
     /// Dimension 2 or 3, chosen at run time.
     pub fn of_dimension(dimension: i32) -> Self {
-        let mut raw = MaybeUninit::<sys::hs_world_def>::zeroed();
-        // SAFETY: the size is that of the struct, for which all zero is valid.
-        let mut raw = unsafe {
-            let known = if dimension == 3 { 3 } else { 2 };
-            sys::hs_world_def_init(raw.as_mut_ptr(), size_of::<sys::hs_world_def>(), known);
-            raw.assume_init()
-        };
+        let known = if dimension == 3 { 3 } else { 2 };
+        // SAFETY: the size is that of the struct.
+        let mut raw: sys::hs_world_def =
+            initial(|def, size| unsafe { sys::hs_world_def_init(def, size, known) });
         raw.dimension = dimension; // World::new refuses values other than 2 or 3
         Self { raw }
     }
@@ -77,8 +71,7 @@ impl Default for WorldDef {
 /// as none is removed.
 #[derive(Debug)]
 pub struct World {
-    handle: NonNull<sys::hs_world>,
-    owner: Arc<Owner>,
+    pub(crate) object: Object<sys::hs_world>,
     /// Cached, so that checks of array lengths are cheap.
     pub(crate) block_count: usize,
     /// The length of a row of loads, cached likewise; `None` before the first and after a change of materials.
@@ -88,95 +81,65 @@ pub struct World {
 impl World {
     /// Creates an empty world.
     pub fn new(context: &Context, def: &WorldDef) -> Result<Self> {
-        // SAFETY: the context lives and the definition is valid.
-        Self::make(context, |world| unsafe {
-            sys::hs_world_create(context.handle(), &def.raw, world)
-        })
+        create!(context => hs_world_create(&def.raw)).map(Self::of)
     }
 
     /// Creates a world from a snapshot of [`World::save`], with the same ids, materials and laws.
     /// It continues bit for bit.
     pub fn restore(context: &Context, bytes: &[u8]) -> Result<Self> {
-        // SAFETY: the context lives and the bytes are as many as said.
-        Self::make(context, |world| unsafe {
-            sys::hs_world_restore(context.handle(), bytes.as_ptr().cast(), bytes.len(), world)
-        })
+        create!(context => hs_world_restore([bytes])).map(Self::of)
     }
 
     /// Returns a snapshot of the complete state.
     pub fn save(&self) -> Vec<u8> {
-        let mut size = 0;
-        let mut bytes = Vec::<u8>::new();
-        // SAFETY: the capacity is 0, so nothing is written.
-        self.owner
-            .expect(unsafe { sys::hs_world_save(self.handle(), ptr::null_mut(), 0, &mut size) });
-        bytes.reserve_exact(size);
-        let room = bytes.as_mut_ptr().cast::<c_void>();
-        // SAFETY: the capacity is the reported size.
-        self.owner
-            .expect(unsafe { sys::hs_world_save(self.handle(), room, size, &mut size) });
-        // SAFETY: all of them have been written.
-        unsafe { bytes.set_len(size) };
-        bytes
+        let get =
+            |room: &mut [u8], size: &mut usize| call!(self => hs_world_save([mut room], size));
+        let size: usize = known(|size, _| get(&mut [], size));
+        sure(filled(size, |room| get(room, &mut 0)))
     }
 
     /// Adds a material with a density above 0, in kg/m3.
     pub fn add_material(&mut self, density: f64) -> Result<Material> {
-        let mut index = 0;
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_add_material(self.handle(), density, &mut index) })?;
+        let index = written(|index, _| call!(mut self => hs_world_add_material(density, index)))?;
         Ok(Material(index))
     }
 
     /// Sets the law of all pairs of materials without a law of their own.
     pub fn set_default_law(&mut self, law: &Law) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, the law is valid.
-        self.check(unsafe { sys::hs_world_set_default_law(self.handle(), law.raw()) })
+        call!(mut self => hs_world_set_default_law(&law.raw))
     }
 
     /// Sets the law of two materials, in either order; they may be the same.
     pub fn set_law(&mut self, a: Material, b: Material, law: &Law) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably, the law is valid.
-        self.check(unsafe { sys::hs_world_set_law(self.handle(), a.0, b.0, law.raw()) })
+        call!(mut self => hs_world_set_law(a, b, &law.raw))
     }
 
     /// Adds a block. The world copies the shape, which may be of any context of this thread.
     pub fn add_block(&mut self, shape: &Shape, def: &BlockDef) -> Result<Block> {
         let def = def.raw(shape);
-        let mut id = 0;
-        // SAFETY: world and shape live, the definition is valid.
-        self.check(unsafe {
-            sys::hs_world_add_block(self.handle(), shape.handle(), &def, &mut id)
-        })?;
+        let id = written(|id, _| call!(mut self => hs_world_add_block(shape, &def, id)))?;
         self.block_count += 1;
-        Block::from_raw(id)
+        Block::from_id(id)
             .ok_or_else(|| Error::argument("World::add_block: the library returned the id 0"))
     }
 
     /// Removes a block; its id becomes stale. The cost is proportional to the size of the world.
     pub fn remove_block(&mut self, block: Block) -> Result<()> {
         let parts = self.compound_parts(block).map_or(0, |parts| parts.len());
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_remove_block(self.handle(), block.id()) })?;
+        call!(mut self => hs_world_remove_block(block))?;
         self.block_count -= 1 + parts;
         Ok(())
     }
 
     /// Steps the world. After an error it keeps the last valid state, and can be read or saved.
     pub fn step(&mut self, steps: u64) -> Result<()> {
-        let steps = i64::try_from(steps).unwrap_or(i64::MAX);
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_step(self.handle(), steps) })
+        call!(mut self => hs_world_step(steps))
     }
 
     /// Returns time, time step, counts and energies. After a change of the world it detects
     /// contacts and evaluates forces first, without any effect on the run.
     pub fn report(&mut self) -> Result<Report> {
-        let mut raw = sys::hs_world_report::default();
-        let size = size_of::<sys::hs_world_report>();
-        // SAFETY: the world lives, and the size is that of the struct.
-        self.check(unsafe { sys::hs_world_get_report(self.handle(), &mut raw, size) })?;
-        Ok(raw.into())
+        written(|report, size| call!(mut self => hs_world_get_report(report, size)))
     }
 
     /// Returns the active parts of the world, the limit of its step, and times of `steps` steps of
@@ -185,11 +148,7 @@ impl World {
     /// # Errors
     /// [`ErrorKind::OutOfMemory`](crate::ErrorKind::OutOfMemory).
     pub fn plan(&self, steps: usize) -> Result<Plan> {
-        let mut raw = sys::hs_world_plan::default();
-        let size = size_of::<sys::hs_world_plan>();
-        // SAFETY: the world lives, and the size is that of the struct.
-        self.check(unsafe { sys::hs_world_get_plan(self.handle(), steps as i64, &mut raw, size) })?;
-        Ok(raw.into())
+        written(|plan, size| call!(self => hs_world_get_plan(steps, plan, size)))
     }
 
     /// Number of living blocks.
@@ -199,58 +158,21 @@ impl World {
 
     /// The context of the world.
     pub fn context(&self) -> Context {
-        Context::of(&self.owner)
+        Context::of(self.object.owner())
     }
 
-    pub(crate) fn make(
-        context: &Context,
-        create: impl FnOnce(*mut *mut sys::hs_world) -> sys::hs_status,
-    ) -> Result<Self> {
-        let mut handle = ptr::null_mut();
-        let status = create(&mut handle);
-        context.owner().check(status)?;
-        // SAFETY: the library has just created it in this context, for this caller.
-        unsafe { Self::own(context.owner(), handle) }
-            .ok_or_else(|| Error::argument("the library returned no world"))
-    }
-
-    /// Takes ownership of a world; `None` for NULL.
-    ///
-    /// # Safety
-    /// The handle is NULL, or of a world of that context which nothing else owns.
-    pub(crate) unsafe fn own(owner: &Arc<Owner>, handle: *mut sys::hs_world) -> Option<Self> {
+    pub(crate) fn of(object: Object<sys::hs_world>) -> Self {
         let mut world = Self {
-            handle: NonNull::new(handle)?,
-            owner: Arc::clone(owner),
+            object,
             block_count: 0,
             load_length: None,
         };
         world.recount_blocks();
-        Some(world)
+        world
     }
 
     /// Bodies add and remove blocks.
     pub(crate) fn recount_blocks(&mut self) {
         self.block_count = self.count_blocks();
-    }
-
-    pub(crate) fn check(&self, status: sys::hs_status) -> Result<()> {
-        self.owner.check(status)
-    }
-
-    /// Functions that change the world are called from `&mut self` only.
-    pub(crate) fn handle(&self) -> *mut sys::hs_world {
-        self.handle.as_ptr()
-    }
-
-    pub(crate) fn owner(&self) -> &Arc<Owner> {
-        &self.owner
-    }
-}
-
-impl Drop for World {
-    fn drop(&mut self) {
-        // SAFETY: it is the only owner of the handle, and the context lives as long as `owner`.
-        unsafe { sys::hs_world_destroy(self.handle.as_ptr()) }
     }
 }

@@ -1,13 +1,13 @@
 //! Motion, forces and contacts of blocks: of one block, and arrays of all blocks.
 
 use std::mem::MaybeUninit;
-use std::ptr;
 
 use halfspace_sys as sys;
 
 use crate::block::Block;
+use crate::call::{call, counted, filled, listed_points, sure, written};
 use crate::contact::Contact;
-use crate::error::Error;
+use crate::error::require;
 use crate::mutable_view::ViewMut;
 use crate::pose::Pose;
 use crate::records::BlockState;
@@ -19,18 +19,12 @@ use crate::Result;
 impl World {
     /// Returns the motion of a block.
     pub fn block_state(&self, block: Block) -> Result<BlockState> {
-        let mut raw = sys::hs_block_state::default();
-        // SAFETY: the world lives.
-        self.check(unsafe { sys::hs_world_get_block_state(self.handle(), block.id(), &mut raw) })?;
-        Ok(raw.into())
+        written(|state, _| call!(self => hs_world_get_block_state(block, state)))
     }
 
     /// Returns the current positions of a block's vertices, in m, in 2D counter-clockwise.
     pub fn block_vertices(&self, block: Block) -> Result<Vec<[f64; 3]>> {
-        let count = self.block_vertices_into(block, ViewMut::none())?;
-        let mut vertices = vec![[0.0; 3]; count];
-        self.block_vertices_into(block, &mut vertices)?;
-        Ok(vertices)
+        listed_points(|vertices| self.block_vertices_into(block, vertices))
     }
 
     /// Likewise, into existing memory: as many as fit. Returns the number of vertices.
@@ -39,19 +33,12 @@ impl World {
         block: Block,
         vertices: impl Into<ViewMut<'a>>,
     ) -> Result<usize> {
-        let room = vertices.into().raw();
-        let mut count = 0;
-        // SAFETY: the world lives, and the view borrows what it says.
-        self.check(unsafe {
-            sys::hs_world_get_block_vertices(self.handle(), block.id(), room, &mut count)
-        })?;
-        Ok(count as usize)
+        counted(|count| call!(self => hs_world_get_block_vertices(block, vertices.into(), count)))
     }
 
     /// Sets the pose of a block.
     pub fn set_pose(&mut self, block: Block, pose: &Pose) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_set_pose(self.handle(), block.id(), pose.raw()) })
+        call!(mut self => hs_world_set_pose(block, pose))
     }
 
     /// Sets the velocity, in m/s, and angular velocity, in rad/s, of a block; 2D uses z. Fixed
@@ -62,10 +49,7 @@ impl World {
         velocity: [f64; 3],
         angular_velocity: [f64; 3],
     ) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe {
-            sys::hs_world_set_velocity(self.handle(), block.id(), &velocity, &angular_velocity)
-        })
+        call!(mut self => hs_world_set_velocity(block, &velocity, &angular_velocity))
     }
 
     /// Sets the external force at the centroid, in N, and torque about it, in N m, of a rigid or
@@ -76,10 +60,7 @@ impl World {
         force: [f64; 3],
         torque: [f64; 3],
     ) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe {
-            sys::hs_world_set_applied_force(self.handle(), block.id(), &force, &torque)
-        })
+        call!(mut self => hs_world_set_applied_force(block, &force, &torque))
     }
 }
 
@@ -87,52 +68,28 @@ impl World {
 impl World {
     /// Returns the ids of all blocks. All arrays of blocks have this order.
     pub fn blocks(&self) -> Vec<Block> {
-        let mut ids = vec![0; self.block_count()];
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_blocks(
-                self.handle(),
-                ids.as_mut_ptr(),
-                ids.len() as i64,
-                ptr::null_mut(),
-            )
-        });
-        ids.into_iter().filter_map(Block::from_raw).collect()
+        let ids = self.of_blocks(|room| call!(self => hs_world_get_blocks([mut room], &mut 0)));
+        ids.into_iter().filter_map(Block::from_id).collect()
     }
 
     /// Returns the poses of all blocks.
     pub fn poses(&self) -> Vec<Pose> {
-        let mut poses = vec![Pose::default(); self.block_count()];
-        self.owner().expect(self.get_poses(&mut poses));
-        poses
+        self.of_blocks(|room| self.get_poses(room))
     }
 
     /// Likewise, into existing memory, one pose per block.
     pub fn poses_into(&self, poses: &mut [Pose]) -> Result<()> {
         self.require_one_per_block("World::poses_into: poses", poses.len())?;
-        self.check(self.get_poses(poses))
+        self.get_poses(poses)
     }
 
-    fn get_poses(&self, poses: &mut [Pose]) -> sys::hs_status {
-        // SAFETY: the world lives, the array is as long as said, and a Pose is laid out as the
-        // library's.
-        unsafe {
-            sys::hs_world_get_poses(
-                self.handle(),
-                poses.as_mut_ptr().cast(),
-                poses.len() as i64,
-                ptr::null_mut(),
-            )
-        }
+    fn get_poses(&self, poses: &mut [Pose]) -> Result<()> {
+        call!(self => hs_world_get_poses([mut poses], &mut 0))
     }
 
     /// Sets the poses of all blocks. After an error no block has moved.
     pub fn set_poses(&mut self, poses: &[Pose]) -> Result<()> {
-        // SAFETY: the world lives, the array is as long as said, and a Pose is laid out as the
-        // library's.
-        self.check(unsafe {
-            sys::hs_world_set_poses(self.handle(), poses.as_ptr().cast(), poses.len() as i64)
-        })
+        call!(mut self => hs_world_set_poses([poses]))
     }
 
     /// Writes the velocities, in m/s, and angular velocities, in rad/s, of all blocks; one per
@@ -142,7 +99,7 @@ impl World {
         velocities: impl Into<ViewMut<'a>>,
         angular_velocities: impl Into<ViewMut<'b>>,
     ) -> Result<()> {
-        let (mut velocities, mut angular) = (velocities.into(), angular_velocities.into());
+        let (velocities, angular) = (velocities.into(), angular_velocities.into());
         self.require_one_per_block_or_none(
             "World::velocities_into: velocities",
             velocities.count(),
@@ -151,10 +108,7 @@ impl World {
             "World::velocities_into: angular_velocities",
             angular.count(),
         )?;
-        // SAFETY: the world lives, and the views borrow what they say.
-        self.check(unsafe {
-            sys::hs_world_get_velocities(self.handle(), velocities.raw(), angular.raw())
-        })
+        call!(self => hs_world_get_velocities(velocities, angular))
     }
 
     /// Sets the velocities and angular velocities of all blocks; the latter have three components,
@@ -165,20 +119,14 @@ impl World {
         velocities: impl Into<View<'a>>,
         angular_velocities: impl Into<View<'b>>,
     ) -> Result<()> {
-        let (velocities, angular) = (velocities.into().raw(), angular_velocities.into().raw());
-        // SAFETY: the world lives, and the views borrow what they say.
-        self.check(unsafe { sys::hs_world_set_velocities(self.handle(), velocities, angular) })
+        call!(mut self => hs_world_set_velocities(velocities.into(), angular_velocities.into()))
     }
 
     /// Returns the motion of all blocks.
     pub fn block_states(&self) -> Vec<BlockState> {
-        let mut raw = vec![sys::hs_block_state::default(); self.block_count()];
-        let (room, count) = (raw.as_mut_ptr(), raw.len() as i64);
-        // SAFETY: the world lives, and the array is as long as said.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_block_states(self.handle(), room, count, ptr::null_mut())
-        });
-        raw.into_iter().map(BlockState::from).collect()
+        let states =
+            self.of_blocks(|room| call!(self => hs_world_get_block_states([mut room], &mut 0)));
+        states.into_iter().map(Into::into).collect()
     }
 
     /// Sets the external forces at the centroids, in N, and torques about them, in N m, of all rigid
@@ -189,18 +137,13 @@ impl World {
         forces: impl Into<View<'a>>,
         torques: impl Into<View<'b>>,
     ) -> Result<()> {
-        let (forces, torques) = (forces.into().raw(), torques.into().raw());
-        // SAFETY: the world lives, and the views borrow what they say.
-        self.check(unsafe { sys::hs_world_set_applied_forces(self.handle(), forces, torques) })
+        call!(mut self => hs_world_set_applied_forces(forces.into(), torques.into()))
     }
 
     /// Stage: neighbour search and detection at the current poses. Returns the number of pairs in
     /// contact.
     pub fn detect(&mut self) -> Result<usize> {
-        let mut touching = 0;
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe { sys::hs_world_detect(self.handle(), &mut touching) })?;
-        Ok(touching as usize)
+        counted(|count| call!(mut self => hs_world_detect(count)))
     }
 
     /// Stage: contact forces at the current poses and velocities, after [`World::detect`].
@@ -213,13 +156,10 @@ impl World {
         forces: impl Into<ViewMut<'a>>,
         torques: impl Into<ViewMut<'b>>,
     ) -> Result<()> {
-        let (mut forces, mut torques) = (forces.into(), torques.into());
+        let (forces, torques) = (forces.into(), torques.into());
         self.require_one_per_block_or_none("World::forces: forces", forces.count())?;
         self.require_one_per_block_or_none("World::forces: torques", torques.count())?;
-        // SAFETY: the world lives, and the views borrow what they say.
-        self.check(unsafe {
-            sys::hs_world_forces(self.handle(), elapsed, forces.raw(), torques.raw())
-        })
+        call!(mut self => hs_world_forces(elapsed, forces, torques))
     }
 
     /// Returns the contacts of the last detection, sorted by block, a before b; none after a change
@@ -258,18 +198,9 @@ impl World {
 
     /// Writes as many contacts as fit and returns their total number.
     fn get_contacts(&self, room: &mut [MaybeUninit<Contact>]) -> usize {
-        let mut count = 0;
-        // SAFETY: the world lives, the capacity is as given, and a Contact has the layout of the
-        // library.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_contacts(
-                self.handle(),
-                room.as_mut_ptr().cast(),
-                room.len() as i64,
-                &mut count,
-            )
-        });
-        count as usize
+        sure(counted(
+            |count| call!(self => hs_world_get_contacts([mut room], count)),
+        ))
     }
 
     /// Preloads the shear spring of a contact, e.g. to start from equilibrium, with the force on
@@ -281,29 +212,29 @@ impl World {
         block_b: Block,
         shear_force: [f64; 3],
     ) -> Result<()> {
-        // SAFETY: the world lives and is borrowed mutably.
-        self.check(unsafe {
-            sys::hs_world_set_shear_force(self.handle(), block_a.id(), block_b.id(), &shear_force)
-        })
+        call!(mut self => hs_world_set_shear_force(block_a, block_b, &shear_force))
+    }
+
+    /// A list with one entry per block.
+    pub(crate) fn of_blocks<Raw: Clone + Default>(
+        &self,
+        fill: impl FnOnce(&mut [Raw]) -> Result<()>,
+    ) -> Vec<Raw> {
+        sure(filled(self.block_count(), fill))
     }
 
     pub(crate) fn count_blocks(&self) -> usize {
-        let mut count = 0;
-        // SAFETY: the capacity is 0, so nothing is written.
-        self.owner().expect(unsafe {
-            sys::hs_world_get_blocks(self.handle(), ptr::null_mut(), 0, &mut count)
-        });
-        count as usize
+        let none: &mut [sys::hs_block] = &mut [];
+        sure(counted(
+            |count| call!(self => hs_world_get_blocks([mut none], count)),
+        ))
     }
 
     pub(crate) fn require_one_per_block(&self, name: &str, count: usize) -> Result<()> {
-        if count == self.block_count() {
-            return Ok(());
-        }
-        Err(Error::argument(&format!(
-            "{name} has {count} entries; the world has {} blocks",
-            self.block_count()
-        )))
+        let blocks = self.block_count();
+        require(count == blocks, || {
+            format!("{name} has {count} entries; the world has {blocks} blocks")
+        })
     }
 
     fn require_one_per_block_or_none(&self, name: &str, count: usize) -> Result<()> {
