@@ -113,7 +113,8 @@ def rust_setting(struct, setting):
     for field in meanings.read_fields(struct):
         rust_type = rust_definitions.type_of(struct, field)
         if rust_type:
-            value = {"f64": "values[0]", "[f64; 3]": "values.try_into().ok()?"}.get(rust_type)
+            value = {"f64": "values[0]", "[f64; 3]": "values.try_into().ok()?", "bool": "values[0] != 0.0",
+                     "i32": "values[0] as i32"}.get(rust_type)
             lines.append(f'        "{field["name"]}" => '
                          f'of.{field["name"]}({value or f"{rust_type}::from_value(values[0] as i32)"}),')
     return [*lines, "        _ => return None,", "    })", "}"]

@@ -2,6 +2,7 @@
 and the constructors of actions, one for each kind."""
 import re
 
+import definitions
 import meanings
 from rust import documented
 from rust_records import comment_of, plain_type
@@ -55,7 +56,8 @@ BUILDERS = {
 }
 NO_DEFAULT = {"hs_world_def", "hs_action_def"}  # without a dimension, without a table
 READ = {"hs_action_def", "hs_law_def", "hs_world_def", "hs_elasticity_def"}  # that a world returns
-BY_HAND = {"hs_action_def.point"}  # together with the place
+BY_HAND = {"hs_action_def.point", "hs_world_def.dimension"}  # together with the place, as constructors
+COUNTS = {"int32_t": "i32", "int64_t": "u64"}
 ACTIONS = "HS_ACTION_"
 TAKES_MORE = {"HS_ACTION_SERVO"}  # than a table
 
@@ -81,7 +83,8 @@ def kinds_of_action(api):
         name = function_of_kind(each["name"])
         if each["name"] not in TAKES_MORE:
             words = f"{name.capitalize().replace('_', ' ')}, in {each['comment']}."
-            linked = re.sub(rf"\b{ACTIONS}\w+", lambda kind: "[`{0}`](Self::{0})".format(function_of_kind(kind[0])), words)
+            linked = re.sub(rf"\b{ACTIONS}\w+", lambda kind: "[`{0}`](Self::{0})".format(function_of_kind(kind[0])),
+                            words)
             lines += ["", *documented(linked, "    "), f"    pub fn {name}(table: Table) -> Self {{",
                       f"        Self::of_kind(sys::{each['name']}, table)", "    }"]
     return lines
@@ -94,19 +97,34 @@ def function_of_kind(constant):
 def functions(struct):
     lines = []
     for field in meanings.read_fields(struct):
-        name, rust_type = field["name"], type_of(struct, field)
+        name, rust_type = field["name"].removeprefix("is_"), type_of(struct, field)
         if rust_type:
-            value = name if rust_type == plain_type(field) else f"{name}.value()"
-            lines += ["", *documented(comment_of(field, rust_type), "    "),
+            words = definitions.of_flag(struct, field, "`true`", "`false`")
+            if rust_type == "bool":
+                words = words.replace("1 (default)", "`true` (default)")
+            lines += ["", *documented(comment_of(words, rust_type), "    "),
                       f"    pub fn {name}(mut self, {name}: {rust_type}) -> Self {{",
-                      f"        self.raw.{name} = {value};", "        self", "    }"]
+                      f"        self.raw.{field['name']} = {raw_value(name, rust_type)};", "        self", "    }"]
     return lines
 
 
+def raw_value(name, rust_type):
+    if rust_type == "bool":
+        return f"{name}.into()"
+    if rust_type == "u64":
+        return f"i64::try_from({name}).unwrap_or(i64::MAX)"
+    return name if rust_type == "i32" or "f64" in rust_type else f"{name}.value()"
+
+
 def type_of(struct, field):
-    """Of a measure, a vector or one of several constants; others are set by hand."""
+    """Of a measure, a vector, a flag, a count or one of several constants; others are set by hand."""
     if f"{struct['name']}.{field['name']}" in BY_HAND:
         return None
     if field["dimensions"] in ([], [3]) and plain_type(field):
         return plain_type(field)
-    return meanings.ENUMERATIONS.get(meanings.of(struct, field), (None, None))[0]
+    meaning = meanings.of(struct, field)
+    if meaning == meanings.FLAG:
+        return "bool"
+    if meaning:
+        return meanings.ENUMERATIONS.get(meaning, (None, None))[0]
+    return None if field["dimensions"] else COUNTS.get(field["of"])

@@ -117,7 +117,7 @@ def shown_fields(api, struct, by_hand):
         elif field["name"] not in hidden:
             rust_type, value = converted(struct, field, "raw.")
             name = RENAMED.get(f"{struct['name']}.{field['name']}", raw_name(field))
-            fields.append(ByHand(name, rust_type, value, comment_of(field, rust_type), ()))
+            fields.append(ByHand(name, rust_type, value, comment_of(field["comment"], rust_type), ()))
     return fields + [field for field in by_hand if field.name]
 
 
@@ -152,9 +152,9 @@ def converted(struct, field, raw):
     return number, f"{name} as {number}"
 
 
-def comment_of(field, rust_type):
+def comment_of(comment, rust_type):
     """The comment of a field, with the values that Rust has in place of numbers."""
-    words = re.sub(r"\ban? HS_[A-Z]+_ value", f"a `{rust_type}`", field["comment"])
+    words = re.sub(r"\ban? HS_[A-Z]+_ value", f"a `{rust_type}`", comment)
     return re.sub(r"-1\b", "`None`", words) if rust_type.startswith("Option") else words
 
 
@@ -205,6 +205,6 @@ def getters(struct, name):
         rust_type, value = converted(struct, field, "self.raw.")
         if struct["name"] == "hs_contact" and field["name"] in OF_REGION:
             value = f"self.of_region({value})"
-        lines += ["", *documented(comment_of(field, rust_type), "    "), f"    pub fn {field['name']}(&self) -> {rust_type} {{",
+        lines += ["", *documented(comment_of(field["comment"], rust_type), "    "), f"    pub fn {field['name']}(&self) -> {rust_type} {{",
                   f"        {value}", "    }"]
     return [f"impl {name} {{", *lines[1:], "}"]

@@ -33,13 +33,6 @@ impl Bolt {
         bolt.raw.block_b = b.map_or(0, Block::id);
         bolt
     }
-
-    /// `true` (default): slack instead of compressed, as a cable; `false`: bears compression, too,
-    /// as a strut.
-    pub fn tension_only(mut self, is_tension_only: bool) -> Self {
-        self.raw.is_tension_only = is_tension_only.into();
-        self
-    }
 }
 
 /// Bolts.

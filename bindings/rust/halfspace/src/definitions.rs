@@ -217,6 +217,19 @@ impl WorldDef {
         self
     }
 
+    /// max sweeps of their solver per half step where blocks move past each other, >= 1; default 200
+    pub fn max_impulse_iterations(mut self, max_impulse_iterations: i32) -> Self {
+        self.raw.max_impulse_iterations = max_impulse_iterations;
+        self
+    }
+
+    /// `true`: steps are divided at the impacts of rigid blocks without springs, which makes rebounds
+    /// accurate; default `false`
+    pub fn locate_impacts(mut self, locate_impacts: bool) -> Self {
+        self.raw.locate_impacts = locate_impacts.into();
+        self
+    }
+
     /// All settings, as fields with the names and values of the C interface.
     pub fn values(&self) -> &sys::hs_world_def {
         &self.raw
@@ -324,6 +337,13 @@ impl Default for Bond {
 }
 
 impl Bolt {
+    /// `true`: slack instead of compressed, as a cable; `false`: bears compression, too, as a strut; default
+    /// `true`
+    pub fn tension_only(mut self, tension_only: bool) -> Self {
+        self.raw.is_tension_only = tension_only.into();
+        self
+    }
+
     /// current position of the end, m; it may be outside of the block
     pub fn place_a(mut self, place_a: [f64; 3]) -> Self {
         self.raw.place_a = place_a;
@@ -371,6 +391,12 @@ impl Default for Bolt {
 }
 
 impl Water {
+    /// 3D: points in each row of a height map; default 0: the table is a plane
+    pub fn columns(mut self, columns: i32) -> Self {
+        self.raw.columns = columns;
+        self
+    }
+
     /// kg/m3, >= 0; default 1000
     pub fn density(mut self, density: f64) -> Self {
         self.raw.density = density;
@@ -421,9 +447,28 @@ impl Relaxation {
         self
     }
 
+    /// max number of steps, >= 1; default 1000000
+    pub fn max_steps(mut self, max_steps: u64) -> Self {
+        self.raw.max_steps = i64::try_from(max_steps).unwrap_or(i64::MAX);
+        self
+    }
+
     /// \[0, 1); default 0.1, for adaptive damping; use 0.8 without it
     pub fn local_damping(mut self, local_damping: f64) -> Self {
         self.raw.local_damping = local_damping;
+        self
+    }
+
+    /// `true` (default): critical mass damping of the slowest mode, estimated while stepping (Underwood
+    /// 1983); `false`: the world's mass damping
+    pub fn adaptive(mut self, adaptive: bool) -> Self {
+        self.raw.is_adaptive = adaptive.into();
+        self
+    }
+
+    /// `true` (default): bonds cannot fail during the relaxation; `false`: they can
+    pub fn hold_bonds(mut self, hold_bonds: bool) -> Self {
+        self.raw.hold_bonds = hold_bonds.into();
         self
     }
 }
@@ -464,6 +509,12 @@ impl StrengthSearch {
     /// \> 0: displacement of a block, divided by its size, that is failure; default 0.1
     pub fn max_displacement(mut self, max_displacement: f64) -> Self {
         self.raw.max_displacement = max_displacement;
+        self
+    }
+
+    /// \>= 1: a world not in equilibrium after these steps has failed; default 100000
+    pub fn max_steps(mut self, max_steps: u64) -> Self {
+        self.raw.max_steps = i64::try_from(max_steps).unwrap_or(i64::MAX);
         self
     }
 }

@@ -36,25 +36,6 @@ impl Relaxation {
         self.raw.measure = sys::HS_UNBALANCED_LARGEST;
         self
     }
-
-    /// Max number of steps, at least 1; by default 1000000.
-    pub fn max_steps(mut self, steps: u64) -> Self {
-        self.raw.max_steps = i64::try_from(steps).unwrap_or(i64::MAX);
-        self
-    }
-
-    /// True (default): critical mass damping of the slowest mode, estimated while stepping. False:
-    /// the mass damping of the world.
-    pub fn adaptive(mut self, is_adaptive: bool) -> Self {
-        self.raw.is_adaptive = is_adaptive.into();
-        self
-    }
-
-    /// True (default): bonds cannot fail during the relaxation.
-    pub fn hold_bonds(mut self, are_held: bool) -> Self {
-        self.raw.hold_bonds = are_held.into();
-        self
-    }
 }
 
 /// The result of a relaxation.

@@ -22,14 +22,6 @@ pub struct StrengthSearch {
     pub(crate) raw: sys::hs_strength_def,
 }
 
-impl StrengthSearch {
-    /// A world not in equilibrium after these steps has failed; at least 1; by default 100000.
-    pub fn max_steps(mut self, steps: u64) -> Self {
-        self.raw.max_steps = i64::try_from(steps).unwrap_or(i64::MAX);
-        self
-    }
-}
-
 /// Strength.
 impl World {
     /// Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws

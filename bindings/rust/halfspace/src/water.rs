@@ -15,14 +15,6 @@ pub struct Water {
     pub(crate) raw: sys::hs_water_def,
 }
 
-impl Water {
-    /// In space: points in each row of a height map; default 0: the table is a plane.
-    pub fn columns(mut self, columns: i32) -> Self {
-        self.raw.columns = columns;
-        self
-    }
-}
-
 /// Water.
 impl World {
     /// Sets the water of a world, in place of the water before. The table has in 2D the corners of

@@ -316,6 +316,8 @@ pub fn set_world(of: WorldDef, field: &str, values: &[f64]) -> Option<WorldDef> 
         "potential_length" => of.potential_length(values[0]),
         "sleep_tolerance" => of.sleep_tolerance(values[0]),
         "impulse_tolerance" => of.impulse_tolerance(values[0]),
+        "max_impulse_iterations" => of.max_impulse_iterations(values[0] as i32),
+        "locate_impacts" => of.locate_impacts(values[0] != 0.0),
         _ => return None,
     })
 }
