@@ -14,9 +14,11 @@ HEAD = """\
 module halfspace_records
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
   use halfspace_blocks, only: halfspace_block
+  use halfspace_c, only: {counted}
   implicit none
   private
-  public :: {names}
+  public :: count_from_1, &
+    {names}
 """
 CONSTANTS_HEAD = """\
 ! Generated {generated}.
@@ -27,28 +29,57 @@ module halfspace_constants
 RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance", "hs_ray_hit",
            "hs_closest_points", "hs_note"]
 # halfspace_bond and halfspace_bolt say how one is made.
-NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state"}
+NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state", "hs_world_def": "halfspace_world_def"}
+# Structs that count indices from 1, and rows of tensors first.
+COUNTED = ["hs_contact", "hs_deformation", "hs_cell_state", "hs_ray_hit", "hs_note", "hs_action_def", "hs_block_state",
+           "hs_bond_event", "hs_fault"]
 
 
 def name_of(struct_name):
-    return NAMES.get(struct_name) or struct_name.replace("hs_", "halfspace_", 1)
+    return NAMES.get(struct_name) or struct_name.replace("hs_", "halfspace_", 1).removesuffix("_def")
 
 
 def write(api):
     names = " &\n    ".join(textwrap.wrap(", ".join(map(name_of, RECORDS)), 104))
-    lines = [*HEAD.format(generated=api["generated"], names=names).splitlines()]
+    counted = ", ".join(name for name in COUNTED if name not in RECORDS)
+    lines = [*HEAD.format(generated=api["generated"], names=names, counted=counted).splitlines()]
     for name in RECORDS:
         struct = meanings.find(api, name)
         lines += ["", *above("  ", struct["comment"]), f"  type, bind(c) :: {name_of(name)}"]
         for field in struct["fields"]:
             lines += with_comment("    " + declared(api, struct, field), comment_of(struct, field), 120)
         lines.append(f"  end type {name_of(name)}")
+    lines += ["", "  !> Counts indices from 1, and rows of tensors first, in what the library has written.",
+              "  interface count_from_1", "    module procedure &",
+              ", &\n".join(f"      {name.replace('hs_', 'count_')}" for name in COUNTED), "  end interface", "", "contains"]
+    for name in COUNTED:
+        lines += ["", *counting(name, meanings.find(api, name))]
     return "\n".join([*lines, "", "end module halfspace_records", ""])
 
 
+def counting(name, struct):
+    lines = []
+    for field in struct["fields"]:
+        value = f"values%{field['name']}"
+        if is_index(struct, field):
+            lines.append(f"    {value} = {value} + 1")
+        elif shape_of(field) == [3, 3]:
+            lines.append(f"    {value} = transpose({value})")
+    count, type_name = name.replace("hs_", "count_"), name_of(name) if name in RECORDS else name
+    return [f"  elemental subroutine {count}(values)", f"    type({type_name}), intent(inout) :: values", *lines,
+            f"  end subroutine {count}"]
+
+
+def is_index(struct, field):
+    return meanings.of(struct, field) in (meanings.INDEX, meanings.INDEX_OR_NONE)
+
+
+def shape_of(field):
+    return [3, 3] if field["dimensions"] == [9] else field["dimensions"]
+
+
 def comment_of(struct, field):
-    is_index = meanings.of(struct, field) in (meanings.INDEX, meanings.INDEX_OR_NONE)
-    return re.sub(r"-1\b", "0", field["comment"]) if is_index else field["comment"]
+    return re.sub(r"-1\b", "0", field["comment"]) if is_index(struct, field) else field["comment"]
 
 
 def declared(api, struct, field):
@@ -56,8 +87,7 @@ def declared(api, struct, field):
         return f"type(halfspace_block) :: {field['name']}"
     if field["name"] == "reserved":
         return "integer(c_int32_t), private :: reserved = 0"
-    shape = [3, 3] if field["dimensions"] == [9] else field["dimensions"]
-    return Writer(api).field(field | {"dimensions": shape})
+    return Writer(api).field(field | {"dimensions": shape_of(field)})
 
 
 def write_constants(api):

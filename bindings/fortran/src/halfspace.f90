@@ -12,28 +12,28 @@
 !! - A context and everything made from it must be used by one thread at a time.
 module halfspace
   use halfspace_constants
-  use halfspace_bodies, only: halfspace_body, halfspace_body_state, halfspace_cell_state, operator(==), operator(/=)
-  use halfspace_bolted_worlds, only: halfspace_bolt_state
-  use halfspace_bonded_worlds, only: halfspace_balance, halfspace_strength_report
-  use halfspace_bonds, only: halfspace_bond_event, halfspace_bond_report, halfspace_bond_state
+  use halfspace_blocks, only: halfspace_block, operator(==), operator(/=)
+  use halfspace_bodies, only: halfspace_body, operator(==), operator(/=)
   use halfspace_checks, only: halfspace_check_polygon, halfspace_check_polyhedron, halfspace_clean_polygon, &
     halfspace_clean_report, halfspace_fault
-  use halfspace_contacts, only: halfspace_block, halfspace_contact, operator(==), operator(/=)
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
-  use halfspace_defined_worlds, only: halfspace_action, halfspace_note, halfspace_usual_range, halfspace_usual_text, &
-    halfspace_world_def
   use halfspace_definitions, only: halfspace_angle, halfspace_motion, halfspace_pose
-  use halfspace_deformations, only: halfspace_deformation
+  use halfspace_forwarding_worlds, only: halfspace_action, halfspace_block_state, halfspace_body_state, &
+    halfspace_bond_event, halfspace_bond_report, halfspace_share_plan, halfspace_world_def, halfspace_world_plan, &
+    halfspace_world_report
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
   use halfspace_properties, only: halfspace_bolt, halfspace_bond, halfspace_elasticity, halfspace_law
-  use halfspace_queries, only: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, &
-    halfspace_find_closest_points, halfspace_order_along_curve, halfspace_ray_hit
+  use halfspace_queries, only: halfspace_cast_ray, halfspace_find_box_pairs, halfspace_find_closest_points, &
+    halfspace_order_along_curve
+  use halfspace_records, only: halfspace_balance, halfspace_bolt_state, halfspace_bond_state, halfspace_cell_state, &
+    halfspace_closest_points, halfspace_contact, halfspace_deformation, halfspace_note, halfspace_ray_hit
+  use halfspace_relaxed_worlds, only: halfspace_strength_report
+  use halfspace_settings, only: halfspace_usual_range, halfspace_usual_text
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
-  use halfspace_spread_worlds, only: halfspace_packed, halfspace_share_info, halfspace_share_plan
-  use halfspace_worlds, only: halfspace_block_state, halfspace_energy, halfspace_world, halfspace_world_plan, &
-    halfspace_world_report
+  use halfspace_spread_worlds, only: halfspace_packed, halfspace_share_info
+  use halfspace_worlds, only: halfspace_energy, halfspace_world
   implicit none
   public
 end module halfspace

@@ -1,9 +1,10 @@
 !> Ids of blocks.
 module halfspace_blocks
   use, intrinsic :: iso_c_binding, only: c_int64_t
+  use halfspace_errors, only: refuse
   implicit none
   private
-  public :: halfspace_block, id_of, operator(==), operator(/=)
+  public :: halfspace_block, id_of, names_block, operator(==), operator(/=)
 
   !> Id of a block of a world. The default is no block; ids of removed blocks are not reused.
   type, bind(c) :: halfspace_block
@@ -35,5 +36,17 @@ contains
     type(halfspace_block), intent(in) :: block
     id_of = block%id
   end function id_of
+
+  !> The id of a block, or 0, which stands for all blocks, if it is absent. Refuses a block that was never added.
+  logical function names_block(block, id, stat, errmsg)
+    type(halfspace_block), intent(in), optional :: block
+    integer(c_int64_t), intent(out) :: id
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    id = 0
+    if (present(block)) id = id_of(block)
+    names_block = id /= 0 .or. .not. present(block)
+    if (.not. names_block) call refuse('block: is none; it must be of the world, or absent for all', stat, errmsg)
+  end function names_block
 
 end module halfspace_blocks

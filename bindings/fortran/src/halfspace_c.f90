@@ -2319,8 +2319,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_pairs_detect
     end function hs_pairs_detect
 
-    !> Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
-    !! second world.
+    !> Returns the active parts of a world, the limit of its time step, and the times of steps. Steps are
+    !! those of a temporary copy, which needs the memory of a second world.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
     function hs_world_get_plan(world, steps, plan, size) bind(c)
       import
@@ -2656,7 +2656,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_strength_def_init
     end function hs_strength_def_init
 
-    !> Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
+    !> Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds
+    !! by a factor. Calls do not accumulate.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_strength_factor(world, factor) bind(c)
       import

@@ -5,7 +5,8 @@ module halfspace_checks
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_errors, only: conclude, had_memory
   use halfspace_handles, only: shared_handle
-  use halfspace_shapes, only: count_from_1, list_from_0
+  use halfspace_records, only: count_from_1
+  use halfspace_shapes, only: list_from_0
   use halfspace_views, only: are_points, mutable_view, view
   implicit none
   private

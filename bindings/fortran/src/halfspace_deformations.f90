@@ -1,22 +1,12 @@
-!> Deformation of blocks, and conversion of tensors to the row by row layout of the C interface.
+!> Conversion of tensors to the row by row layout of the C interface.
 module halfspace_deformations
   use, intrinsic :: iso_c_binding, only: c_double
   use halfspace_errors, only: refuse
-  use halfspace_records, only: halfspace_deformation
   implicit none
   private
-  public :: halfspace_deformation, count_rows_first, is_tensor, nine_of
+  public :: is_tensor, nine_of
 
 contains
-
-  !> Transposes the tensors, which the library writes row by row.
-  elemental subroutine count_rows_first(deformation)
-    type(halfspace_deformation), intent(inout) :: deformation
-    deformation%gradient = transpose(deformation%gradient)
-    deformation%rate = transpose(deformation%rate)
-    deformation%strain = transpose(deformation%strain)
-    deformation%stress = transpose(deformation%stress)
-  end subroutine count_rows_first
 
   !> True for 3 x 3 and 2 x 2 arrays; refuses others.
   logical function is_tensor(values, name, stat, errmsg)

@@ -3,9 +3,9 @@
 module halfspace_pairs
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
   use halfspace_c
-  use halfspace_contacts, only: count_features_from_1, halfspace_contact
   use halfspace_definitions, only: halfspace_pose
   use halfspace_errors, only: conclude, had_memory, refuse
+  use halfspace_records, only: count_from_1, halfspace_contact
   use halfspace_shapes, only: context_of, halfspace_shape, handle_of
   use halfspace_views, only: address_of
   implicit none
@@ -54,7 +54,7 @@ contains
     status = pair_detect(shape_a%c_handle(), pose_a, shape_b%c_handle(), pose_b, &
                          options_of(options, parallel_angle, vertex_zone, margin, without_region), memory, contact)
     if (status == HS_OK) then  ! the usual case, without a look-up of the context
-      call count_features_from_1(contact)
+      call count_from_1(contact)
       if (present(stat)) stat = status
     else
       context = c_null_ptr
@@ -106,7 +106,7 @@ contains
                                options_of(options, parallel_angle, vertex_zone, margin, without_region), memory, &
                                c_loc(contacts), address_of(touching))
     end if
-    if (status == HS_OK) call count_features_from_1(contacts)
+    if (status == HS_OK) call count_from_1(contacts)
     call conclude(status, context, stat, errmsg)
   end subroutine halfspace_detect_pairs
 

@@ -2,16 +2,16 @@
 module halfspace_plane_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_loc
   use halfspace_c, only: hs_mutable_view, hs_view, hs_world_forces, hs_world_get_velocities, hs_world_set_velocities
-  use halfspace_defined_worlds, only: defined_world
   use halfspace_definitions, only: halfspace_angle, halfspace_pose
   use halfspace_errors, only: conclude, had_memory
+  use halfspace_relaxed_worlds, only: relaxed_world
   use halfspace_views, only: are_of_one_size, components, mutable_components
   implicit none
   private
   public :: plane_world
 
   !> Contiguous arrays are read and written in place; the compiler copies sections. Arrays have the order of blocks().
-  type, extends(defined_world) :: plane_world
+  type, extends(relaxed_world) :: plane_world
   contains
     procedure, private :: poses_in_plane
     procedure, private :: set_poses_in_plane

@@ -7,13 +7,12 @@ module halfspace_queries
   use halfspace_definitions, only: halfspace_pose
   use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_handles, only: shared_handle
-  use halfspace_records, only: halfspace_closest_points, halfspace_ray_hit
+  use halfspace_records, only: count_from_1, halfspace_closest_points, halfspace_ray_hit
   use halfspace_shapes, only: context_of, halfspace_shape
   use halfspace_views, only: are_points, is_vector, three_of, view
   implicit none
   private
-  public :: halfspace_cast_ray, halfspace_closest_points, halfspace_find_box_pairs, halfspace_find_closest_points, &
-    halfspace_order_along_curve, halfspace_ray_hit
+  public :: halfspace_cast_ray, halfspace_find_box_pairs, halfspace_find_closest_points, halfspace_order_along_curve
 
   real(c_double), parameter :: longest = 1e75_c_double
 
@@ -70,7 +69,7 @@ contains
     if (.not. is_vector(origin, 'origin', 2, stat, errmsg)) return
     if (.not. is_vector(direction, 'direction', 2, stat, errmsg)) return
     status = shape_cast_ray(shape%c_handle(), pose, three_of(origin), three_of(direction), given(max_distance), hit)
-    if (status == HS_OK) hit%face = hit%face + 1
+    if (status == HS_OK) call count_from_1(hit)
     call conclude(status, context_or_null(shape), stat, errmsg)
   end subroutine cast_ray_at_shape
 
@@ -87,7 +86,7 @@ contains
     if (.not. is_vector(origin, 'origin', 2, stat, errmsg)) return
     if (.not. is_vector(direction, 'direction', 2, stat, errmsg)) return
     status = world_cast_ray(world%c_handle(), three_of(origin), three_of(direction), given(max_distance), hit)
-    if (status == HS_OK) hit%face = hit%face + 1
+    if (status == HS_OK) call count_from_1(hit)
     call conclude(status, world%c_context(), stat, errmsg)
   end subroutine cast_ray_into_world
 

@@ -5,9 +5,11 @@
 module halfspace_records
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
   use halfspace_blocks, only: halfspace_block
+  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault
   implicit none
   private
-  public :: halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
+  public :: count_from_1, &
+    halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
     halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points, halfspace_note
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
@@ -142,5 +144,74 @@ module halfspace_records
     real(c_double) :: usual_low = 0.0_c_double  !< smallest usual value but 0, which is usual, too
     real(c_double) :: usual_high = 0.0_c_double  !< largest usual value
   end type halfspace_note
+
+  !> Counts indices from 1, and rows of tensors first, in what the library has written.
+  interface count_from_1
+    module procedure &
+      count_contact, &
+      count_deformation, &
+      count_cell_state, &
+      count_ray_hit, &
+      count_note, &
+      count_action_def, &
+      count_block_state, &
+      count_bond_event, &
+      count_fault
+  end interface
+
+contains
+
+  elemental subroutine count_contact(values)
+    type(halfspace_contact), intent(inout) :: values
+    values%feature_a = values%feature_a + 1
+    values%feature_b = values%feature_b + 1
+  end subroutine count_contact
+
+  elemental subroutine count_deformation(values)
+    type(halfspace_deformation), intent(inout) :: values
+    values%gradient = transpose(values%gradient)
+    values%rate = transpose(values%rate)
+    values%strain = transpose(values%strain)
+    values%stress = transpose(values%stress)
+  end subroutine count_deformation
+
+  elemental subroutine count_cell_state(values)
+    type(halfspace_cell_state), intent(inout) :: values
+    values%strain = transpose(values%strain)
+    values%stress = transpose(values%stress)
+  end subroutine count_cell_state
+
+  elemental subroutine count_ray_hit(values)
+    type(halfspace_ray_hit), intent(inout) :: values
+    values%face = values%face + 1
+  end subroutine count_ray_hit
+
+  elemental subroutine count_note(values)
+    type(halfspace_note), intent(inout) :: values
+    values%material_a = values%material_a + 1
+    values%material_b = values%material_b + 1
+  end subroutine count_note
+
+  elemental subroutine count_action_def(values)
+    type(hs_action_def), intent(inout) :: values
+    values%table = values%table + 1
+  end subroutine count_action_def
+
+  elemental subroutine count_block_state(values)
+    type(hs_block_state), intent(inout) :: values
+    values%material = values%material + 1
+  end subroutine count_block_state
+
+  elemental subroutine count_bond_event(values)
+    type(hs_bond_event), intent(inout) :: values
+    values%bond = values%bond + 1
+    values%point = values%point + 1
+  end subroutine count_bond_event
+
+  elemental subroutine count_fault(values)
+    type(hs_fault), intent(inout) :: values
+    values%vertex = values%vertex + 1
+    values%face = values%face + 1
+  end subroutine count_fault
 
 end module halfspace_records

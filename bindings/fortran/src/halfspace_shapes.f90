@@ -8,17 +8,18 @@
 !! makes its own.
 module halfspace_shapes
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_sizeof
-  use halfspace_c, halfspace_fault => hs_fault, halfspace_fit_report => hs_fit_report, &
+  use halfspace_c, halfspace_fit_report => hs_fit_report, &
     halfspace_shape_properties => hs_shape_properties
   use halfspace_contexts, only: halfspace_context, own_or_given
   use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_handles, only: shared_handle
+  use halfspace_records, only: count_from_1
   use halfspace_views, only: address_of, are_of_one_size, are_points, components, is_vector, mutable_components, &
     mutable_view, three_of, view
   implicit none
   private
   public :: halfspace_fit_report, halfspace_shape, halfspace_shape_properties
-  public :: context_of, count_from_1, handle_of, list_from_0
+  public :: context_of, handle_of, list_from_0
 
   !> Assignment adds a reference: all copies are the same shape, which the last one destroys.
   type :: halfspace_shape
@@ -240,12 +241,6 @@ contains
     end if
     call conclude(status, owner%context(), stat, errmsg)
   end subroutine create_fitted
-
-  elemental subroutine count_from_1(fault)
-    type(halfspace_fault), intent(inout) :: fault
-    fault%vertex = fault%vertex + 1
-    fault%face = fault%face + 1
-  end subroutine count_from_1
 
   !> Converts the vertex indices of faces to those of C, from 0. Refuses a list whose length is not the sum of the
   !! sizes, as C cannot check it.

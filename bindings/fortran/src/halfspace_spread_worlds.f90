@@ -3,16 +3,13 @@ module halfspace_spread_worlds
   use, intrinsic :: iso_c_binding, only: c_double, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
     c_sizeof
   use halfspace_block_worlds, only: row_length_of, takes_world
-  use halfspace_c, only: hs_world_assemble, hs_world_begin, hs_world_end_begin, hs_world_end_step, hs_world_get_keys, &
-    hs_world_get_loads, hs_world_get_roles, hs_world_get_share_info, hs_world_get_sums, hs_world_move, hs_world_pack, &
-    hs_world_plan_motion, hs_world_renew_list, hs_world_set_keys, hs_world_set_loads, hs_world_set_sums, HS_OK, &
-    HS_ROLE_OWN, HS_SUM_COUNT, halfspace_packed => hs_packed, halfspace_share_info => hs_share_info, &
-    halfspace_share_plan => hs_share_plan
+  use halfspace_c, only: hs_world_assemble, hs_world_get_loads, hs_world_get_share_info, hs_world_pack, &
+    hs_world_set_loads, HS_OK, HS_ROLE_OWN, halfspace_packed => hs_packed, halfspace_share_info => hs_share_info
   use halfspace_errors, only: conclude, had_memory, refuse
   use halfspace_plane_worlds, only: plane_world
   implicit none
   private
-  public :: halfspace_packed, halfspace_share_info, halfspace_share_plan, spread_world
+  public :: halfspace_packed, halfspace_share_info, spread_world
 
   !> halfspace_packed(key, role, bytes): a block of a share to be assembled.
   interface halfspace_packed
@@ -31,22 +28,11 @@ module halfspace_spread_worlds
   !! halfspace_world extends it.
   type, extends(plane_world) :: spread_world
   contains
-    procedure :: set_keys
-    procedure :: keys
-    procedure :: roles
     procedure :: share_info
     procedure :: pack => pack_blocks
     procedure :: assemble
-    procedure :: sums
-    procedure :: set_sums
-    procedure :: begin
-    procedure :: end_begin
-    procedure :: plan_motion
-    procedure :: renew_list
-    procedure :: move
     procedure :: loads
     procedure :: set_loads
-    procedure :: end_step
   end type spread_world
 
 contains
@@ -67,50 +53,6 @@ contains
     packed%bytes = c_loc(bytes)
     packed%size = size(bytes, kind=c_size_t)
   end function packed
-
-  !> Names the blocks of a whole world. By default a block's key is its place in blocks(), from 0. Blocks that are added
-  !! or removed later end these keys.
-  subroutine set_keys(self, keys, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    integer(c_int64_t), intent(in), target, contiguous :: keys(:)  !< ascending, in the order of blocks()
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_set_keys(self%c_handle(), c_loc(keys), size(keys, kind=c_int64_t)), self%c_context(), &
-                  stat, errmsg)
-  end subroutine set_keys
-
-  !> The keys of all blocks, in the order of blocks(), which is ascending.
-  subroutine keys(self, list, stat, errmsg)
-    class(spread_world), intent(in) :: self
-    integer(c_int64_t), intent(inout), allocatable, target :: list(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int64_t), allocatable, target :: found(:)
-    integer(c_int32_t) :: status
-    integer :: failure
-    allocate (found(self%block_count()), stat=failure)
-    if (.not. had_memory(failure, stat, errmsg)) return
-    status = hs_world_get_keys(self%c_handle(), c_loc(found), size(found, kind=c_int64_t), c_null_ptr)
-    if (status == HS_OK) call move_alloc(found, list)
-    call conclude(status, self%c_context(), stat, errmsg)
-  end subroutine keys
-
-  !> The roles of all blocks, HS_ROLE_ values, in the order of blocks(). In a whole world fixed and prescribed blocks
-  !! are everywhere, all others own.
-  subroutine roles(self, list, stat, errmsg)
-    class(spread_world), intent(in) :: self
-    integer(c_int32_t), intent(inout), allocatable, target :: list(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t), allocatable, target :: found(:)
-    integer(c_int32_t) :: status
-    integer :: failure
-    allocate (found(self%block_count()), stat=failure)
-    if (.not. had_memory(failure, stat, errmsg)) return
-    status = hs_world_get_roles(self%c_handle(), c_loc(found), size(found, kind=c_int64_t), c_null_ptr)
-    if (status == HS_OK) call move_alloc(found, list)
-    call conclude(status, self%c_context(), stat, errmsg)
-  end subroutine roles
 
   !> Numbers of blocks, and how far copies must reach, after plan_motion().
   subroutine share_info(self, info, stat, errmsg)
@@ -174,69 +116,6 @@ contains
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine assemble
 
-  !> Energies and losses (16, J), powers (5, W), linear momentum (3, N s) and angular momentum about the origin
-  !> (3, N m s), as numbers that add up over shares to those of the whole world.
-  subroutine sums(self, values, stat, errmsg)
-    class(spread_world), intent(in) :: self
-    real(c_double), intent(out), target :: values(HS_SUM_COUNT)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_get_sums(self%c_handle(), c_loc(values)), self%c_context(), stat, errmsg)
-  end subroutine sums
-
-  !> Sets them, all but the momentum: to the sums over the shares whose blocks the world has taken over.
-  subroutine set_sums(self, values, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    real(c_double), intent(in), target :: values(HS_SUM_COUNT)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_set_sums(self%c_handle(), c_loc(values)), self%c_context(), stat, errmsg)
-  end subroutine set_sums
-
-  !> Begins after blocks were added, or laws, velocities or forces changed: computes contacts and forces where blocks
-  !! are. Then loads are carried, and end_begin() follows.
-  subroutine begin(self, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_begin(self%c_handle()), self%c_context(), stat, errmsg)
-  end subroutine begin
-
-  !> Computes accelerations and energies of the beginning, from the loads.
-  subroutine end_begin(self, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_end_begin(self%c_handle()), self%c_context(), stat, errmsg)
-  end subroutine end_begin
-
-  !> Plans the motion of a step, without moving any block. The host combines the plans of all shares: the maximum of
-  !! needs_list and of needs_assembly, the minimum of refusal.
-  subroutine plan_motion(self, plan, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    type(halfspace_share_plan), intent(out) :: plan
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_plan_motion(self%c_handle(), plan), self%c_context(), stat, errmsg)
-  end subroutine plan_motion
-
-  !> Renews the list of pairs for the planned motion, in all shares if the plan of any needs it.
-  subroutine renew_list(self, plan, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    type(halfspace_share_plan), intent(out) :: plan  !< with the new list: of it, `refusal` counts
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_renew_list(self%c_handle(), plan), self%c_context(), stat, errmsg)
-  end subroutine renew_list
-
-  !> Makes the planned motion, which must be without a refusal, and computes contacts and forces after it.
-  subroutine move(self, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_move(self%c_handle()), self%c_context(), stat, errmsg)
-  end subroutine move
-
   !> Returns the loads of the contacts on own blocks, for the shares that have copies.
   subroutine loads(self, keys, values, stat, errmsg)
     class(spread_world), intent(in) :: self
@@ -262,14 +141,6 @@ contains
     call conclude(hs_world_set_loads(self%c_handle(), c_loc(keys), size(keys, kind=c_int64_t), c_loc(values)), &
                   self%c_context(), stat, errmsg)
   end subroutine set_loads
-
-  !> Ends the step: computes velocities and energies at the end of the motion, from the loads.
-  subroutine end_step(self, stat, errmsg)
-    class(spread_world), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call conclude(hs_world_end_step(self%c_handle()), self%c_context(), stat, errmsg)
-  end subroutine end_step
 
   !> Have the loads a column per key, as long as the library's? Refuses others.
   logical function are_loads(self, keys, values, stat, errmsg)

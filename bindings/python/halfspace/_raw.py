@@ -2195,8 +2195,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_pairs_detect.restype = hs_status
 
-    # Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
-    # second world.
+    # Returns the active parts of a world, the limit of its time step, and the times of steps. Steps are those
+    # of a temporary copy, which needs the memory of a second world.
     library.hs_world_get_plan.argtypes = [
         POINTER(hs_world),  # world
         c_int64,  # steps
@@ -2455,7 +2455,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_strength_def_init.restype = hs_status
 
-    # Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
+    # Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds
+    # by a factor. Calls do not accumulate.
     library.hs_world_set_strength_factor.argtypes = [
         POINTER(hs_world),  # world
         c_double,  # factor

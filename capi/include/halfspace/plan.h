@@ -74,8 +74,8 @@ typedef struct hs_world_plan {
   double bolt_seconds;        /**< s per step: forces of bolts */
 } hs_world_plan;
 
-/** @brief Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
- *  second world.
+/** @brief Returns the active parts of a world, the limit of its time step, and the times of steps. Steps are
+ *  those of a temporary copy, which needs the memory of a second world.
  *  @param world not NULL
  *  @param steps number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
  *         completed steps

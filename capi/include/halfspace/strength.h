@@ -45,7 +45,8 @@ typedef struct hs_strength_report {
  *  @return HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time. */
 HS_API hs_status hs_strength_def_init(hs_strength_def *def, size_t size);
 
-/** @brief Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
+/** @brief Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds
+ *  by a factor. Calls do not accumulate.
  *  @param world not NULL @param factor from 1e-75 to 1e75; 1 restores the given strengths, to rounding
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_set_strength_factor(hs_world *world, double factor);

@@ -30,7 +30,7 @@ def procedure(lines, start, words):
     shown, i = [lines[start].strip()], start + 1
     while i < len(lines) and (DECLARATION.match(lines[i]) and "intent(" in lines[i] or "!" == lines[i].strip()[:1]
                               or re.match(r"\s*(use|import|procedure)\b", lines[i])):
-        if "intent(" in lines[i] or "procedure(" in lines[i] and "::" in lines[i]:
+        if "intent(" in lines[i] or "procedure(" in lines[i] and "::" in lines[i] or lines[i].strip().startswith("!"):
             shown.append("  " + argument(lines[i]))
         i += 1
     return Item(PROCEDURE.match(lines[start])[2], "\n".join(shown), " ".join(words))

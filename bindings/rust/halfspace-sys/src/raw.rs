@@ -3204,8 +3204,8 @@ extern "C" {
         touching: *mut i64,
     ) -> hs_status;
 
-    /// Returns the plan of a world. It works on a temporary copy of the world, which needs the memory of a
-    /// second world.
+    /// Returns the active parts of a world, the limit of its time step, and the times of steps. Steps are
+    /// those of a temporary copy, which needs the memory of a second world.
     ///
     /// - `world`: not NULL
     /// - `steps`: number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
@@ -3592,7 +3592,8 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT. Thread rule: any thread, any time.
     pub fn hs_strength_def_init(def: *mut hs_strength_def, size: usize) -> hs_status;
 
-    /// Divides the given strengths of all laws and bonds by a factor. Calls do not accumulate.
+    /// Divides the given friction (tangent of its angle), cohesion and tensile strength of all laws and bonds
+    /// by a factor. Calls do not accumulate.
     ///
     /// - `world`: not NULL
     /// - `factor`: from 1e-75 to 1e75; 1 restores the given strengths, to rounding
