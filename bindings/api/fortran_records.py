@@ -32,7 +32,7 @@ RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state"
 NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state", "hs_world_def": "halfspace_world_def"}
 # Structs that count indices from 1, and rows of tensors first.
 COUNTED = ["hs_contact", "hs_deformation", "hs_cell_state", "hs_ray_hit", "hs_note", "hs_action_def", "hs_block_state",
-           "hs_bond_event", "hs_fault"]
+           "hs_bond_event", "hs_fault", "hs_world_plan"]
 
 
 def name_of(struct_name):

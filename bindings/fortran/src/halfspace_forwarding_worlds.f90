@@ -1164,10 +1164,12 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int64_t) :: given_steps
+    integer(c_int32_t) :: status
     given_steps = 0
     if (present(steps)) given_steps = steps
-    call conclude(hs_world_get_plan(self%c_handle(), given_steps, values, c_sizeof(values)), self%c_context(), stat, &
-        errmsg)
+    status = hs_world_get_plan(self%c_handle(), given_steps, values, c_sizeof(values))
+    if (status >= HS_OK) call count_from_1(values)
+    call conclude(status, self%c_context(), stat, errmsg)
   end subroutine plan
 
   !> Returns the current balance of forces. It costs as much as a step, and has no effect on the run.

@@ -5,7 +5,7 @@
 module halfspace_records
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
   use halfspace_blocks, only: halfspace_block
-  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault
+  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault, hs_world_plan
   implicit none
   private
   public :: count_from_1, &
@@ -156,7 +156,8 @@ module halfspace_records
       count_action_def, &
       count_block_state, &
       count_bond_event, &
-      count_fault
+      count_fault, &
+      count_world_plan
   end interface
 
 contains
@@ -213,5 +214,11 @@ contains
     values%vertex = values%vertex + 1
     values%face = values%face + 1
   end subroutine count_fault
+
+  elemental subroutine count_world_plan(values)
+    type(hs_world_plan), intent(inout) :: values
+    values%limiting_bond = values%limiting_bond + 1
+    values%limiting_cell = values%limiting_cell + 1
+  end subroutine count_world_plan
 
 end module halfspace_records

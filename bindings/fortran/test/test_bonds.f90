@@ -72,6 +72,7 @@ contains
     type(halfspace_bond_state), allocatable :: bonds(:)
     type(halfspace_bond_event), allocatable :: events(:), last(:)
     type(halfspace_bond_report) :: report
+    type(halfspace_world_plan) :: plan
     integer :: i
     call make_squares(world, lower, upper)
     call world%bonds(bonds)
@@ -81,6 +82,8 @@ contains
     call world%bonds(bonds)
     call expect(size(bonds) == 1, 'one bond')
     call expect(bonds(1)%block_a == lower .and. bonds(1)%block_b == upper, 'its blocks')
+    call world%plan(plan)
+    call expect(plan%limiting_bond == 1, 'it limits the time step, and is counted from 1')
     call expect(bonds(1)%is_joint == 1 .and. bonds(1)%point_count == 3 .and. bonds(1)%broken_count == 0, 'it holds')
     call expect_close([bonds(1)%area, bonds(1)%damage], [1.0_real64, 0.0_real64], 1e-14_real64, 'area and damage')
     call world%bond_report(report)
