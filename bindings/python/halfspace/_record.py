@@ -5,7 +5,7 @@ import ctypes
 import operator
 import textwrap
 from enum import IntEnum, IntFlag
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Type, TypeVar, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ class Record(_Struct):
     """One struct: ``record.gap`` is ``record["gap"]``. It prints the names and values of its fields."""
 
     _kinds: Dict[str, _Kind] = {}  # of fields that are constants
+    _structure: Any  # of the library
+    _type: Any  # the data type
 
     def __getitem__(self, key: Any) -> Any:
         return np.void.__getitem__(self, key)  # np.record would return nested records as objects of this class
@@ -70,6 +72,9 @@ def _name_of(kind: _Kind, value: int) -> str:
     of_sum = issubclass(kind, IntFlag)
     names = [name for name, of in kind.__members__.items() if (of & value if of_sum else of == value)]
     return f"{kind.__name__}.{'|'.join(names)}" if names else str(value)
+
+
+AnyRecord = TypeVar("AnyRecord", bound=Record)
 
 
 class Records(np.ndarray):  # type: ignore[type-arg]
@@ -130,7 +135,8 @@ def record_type(record: Type[Record], structure: Any) -> Any:
     for name in names:  # also names of NumPy methods, e.g. `mean`
         setattr(record, name, property(_getter(name, record._kinds.get(name))))
     _types[structure] = np.dtype((record, plain))
-    return _types[structure]
+    record._structure, record._type = structure, _types[structure]
+    return record._type
 
 
 def _getter(name: str, kind: Optional[_Kind]) -> Callable[[Any], Any]:
@@ -151,15 +157,9 @@ def _format_of(declared: Any) -> Any:
     return np.dtype((found.base, (3, 3))) if found.shape == (9,) else found
 
 
-def empty_record(dtype: Any) -> Tuple[NDArray[Any], Any]:
-    """An array of one zeroed struct, which only the library writes, and its address."""
-    array = np.zeros(1, dtype)
-    address = array.ctypes.data
+def empty_record(kind: Type[AnyRecord]) -> Tuple[AnyRecord, Any]:
+    """A record of zeros, and the struct in its memory, which only the library writes."""
+    array = np.zeros(1, kind._type)
+    struct = kind._structure.from_address(array.ctypes.data)
     array.flags.writeable = False
-    return array, address
-
-
-def empty_records(count: int, dtype: Any) -> Records:
-    """An array of zeroed structs."""
-    records: Records = np.zeros(count, dtype).view(Records)
-    return records
+    return array[0], struct

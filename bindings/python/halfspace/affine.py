@@ -1,19 +1,17 @@
 """Affine blocks: blocks with uniform strain and stress."""
 from __future__ import annotations
 
-from typing import Optional, cast
+from typing import Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _raw
 from ._arrays import block_id, index, struct_of, tensor, vector
 from ._library import library
-from ._record import Records, empty_record, empty_records
+from ._record import Records
 from .block_arrays import BlockArrays
-from .context import held
 from .properties import Elasticity
-from .records import DEFORMATION, Deformation
+from .records import Deformation
 
 
 class AffineBlocks(BlockArrays):
@@ -35,18 +33,12 @@ class AffineBlocks(BlockArrays):
         `strain` the Green strain, in the shape's frame; `stress` the elastic Cauchy stress, in space, Pa, tension >
         0; `strain_energy` in J, in 2D per unit thickness.
         """
-        array, address = empty_record(DEFORMATION)
-        deformation = _raw.hs_deformation.from_address(address)
-        self._call(library.hs_world_get_deformation, block_id(block, "block"), deformation)
-        return cast(Deformation, array[0])
+        return self._record(Deformation, library.hs_world_get_deformation, block_id(block, "block"))
 
     def deformations(self) -> Records:
         """Returns deformation and stress of all blocks: an array of `DEFORMATION`, whose ``["gradient"]`` has the
         shape (n, 3, 3)."""
-        with held(self):
-            deformations = empty_records(len(self), DEFORMATION)
-            self._call(library.hs_world_get_deformations, deformations.ctypes.data, len(deformations), None)
-        return deformations
+        return self._records(Deformation, library.hs_world_get_deformations)
 
     def set_deformation(self, block: int, gradient: ArrayLike, rate: Optional[ArrayLike] = None) -> None:
         """Sets the deformation gradient of an affine block, with a determinant > 0, and its rate, 1/s; by default 0.

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from . import _raw
 from ._arrays import mutable_view_of, require_output, turns_view_of, view_of
 from ._library import library
-from ._record import Records, empty_records
+from ._record import Records
 from .check import Given
 from .context import Context, Handle, held
-from .records import BLOCK_STATE
+from .records import BlockState
 
 Floats = NDArray[np.float64]
 
@@ -47,10 +47,7 @@ class BlockArrays(Handle):
     @property
     def blocks(self) -> NDArray[np.uint64]:
         """Ids of all blocks. All arrays of blocks have this order."""
-        with held(self):
-            blocks = np.empty(len(self), np.uint64)
-            self._call(library.hs_world_get_blocks, blocks.ctypes.data, len(blocks), None)
-        return blocks
+        return self._array(np.uint64, library.hs_world_get_blocks)
 
     @property
     def poses(self) -> Floats:
@@ -122,10 +119,7 @@ class BlockArrays(Handle):
     def states(self) -> Records:
         """Returns the motion of all blocks: an array of `BLOCK_STATE`. ``states().force`` are the contact forces of
         the last step, ``states().mass`` the masses."""
-        with held(self):
-            states = empty_records(len(self), BLOCK_STATE)
-            self._call(library.hs_world_get_block_states, states.ctypes.data, len(states), None)
-        return states
+        return self._records(BlockState, library.hs_world_get_block_states)
 
     @property
     def contact_forces(self) -> Floats:

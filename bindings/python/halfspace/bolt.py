@@ -10,11 +10,10 @@ from numpy.typing import ArrayLike
 from . import _raw
 from ._arrays import block_id, struct_of, vector
 from ._library import library
-from ._record import Records, empty_records
+from ._record import Records
 from .bond import BondedBlocks
-from .context import held
 from .properties import Bolt
-from .records import BOLT
+from .records import Bolt as BoltRecord
 
 
 class BoltedBlocks(BondedBlocks):
@@ -45,12 +44,7 @@ class BoltedBlocks(BondedBlocks):
 
     def bolts(self) -> Records:
         """Returns all bolts, in ascending order of their numbers: an array of `BOLT`."""
-        count = ctypes.c_int64()
-        with held(self):
-            self._call(library.hs_world_get_bolts, None, 0, ctypes.byref(count))
-            bolts = empty_records(count.value, BOLT)
-            self._call(library.hs_world_get_bolts, bolts.ctypes.data, len(bolts), None)
-        return bolts
+        return self._records(BoltRecord, library.hs_world_get_bolts)
 
     def block_at(self, place: ArrayLike) -> Optional[int]:
         """Returns the block in which a place is deepest; None if it is outside of all blocks."""

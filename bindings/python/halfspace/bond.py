@@ -2,16 +2,14 @@
 from __future__ import annotations
 
 import ctypes
-from typing import cast
 
-from . import _raw
 from ._arrays import block_id, index, struct_of
 from ._library import library
-from ._record import Records, empty_record, empty_records
-from .context import held
+from ._record import Records
 from .mesh import Bodies
 from .properties import Bond
-from .records import BOND, BOND_EVENT, BOND_REPORT, BondReport
+from .records import Bond as BondRecord
+from .records import BondEvent, BondReport
 
 
 class BondedBlocks(Bodies):
@@ -51,22 +49,13 @@ class BondedBlocks(Bodies):
 
     def bonds(self) -> Records:
         """Returns all bonds made so far, in their order of creation: an array of `BOND`."""
-        with held(self):
-            bonds = empty_records(int(self.bond_report.bond_count), BOND)
-            self._call(library.hs_world_get_bonds, bonds.ctypes.data, len(bonds), None)
-        return bonds
+        return self._records(BondRecord, library.hs_world_get_bonds)
 
     def bond_events(self, first: int = 0) -> Records:
         """Returns the failures of bond points, in order of time, from index `first` on: an array of `BOND_EVENT`."""
-        with held(self):
-            events = empty_records(max(int(self.bond_report.event_count) - first, 0), BOND_EVENT)
-            self._call(library.hs_world_get_bond_events, first, events.ctypes.data, len(events), None)
-        return events
+        return self._records(BondEvent, library.hs_world_get_bond_events, first)
 
     @property
     def bond_report(self) -> BondReport:
         """Summary of all bonds: a record of `BOND_REPORT`."""
-        array, address = empty_record(BOND_REPORT)
-        report = _raw.hs_bond_report.from_address(address)
-        self._call(library.hs_world_get_bond_report, report, BOND_REPORT.itemsize)
-        return cast(BondReport, array[0])
+        return self._record(BondReport, library.hs_world_get_bond_report)

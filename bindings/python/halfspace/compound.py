@@ -113,11 +113,7 @@ class CompoundBlocks(QueriedBlocks):
 
     def compound_parts(self, block: int) -> Any:
         """Returns the ids of the parts of a compound, in the order of its shapes; none for other blocks."""
-        named, count = block_id(block, "block"), ctypes.c_int64()
-        self._call(library.hs_world_get_compound_parts, named, None, 0, ctypes.byref(count))
-        parts = np.empty(count.value, np.uint64)
-        self._call(library.hs_world_get_compound_parts, named, parts.ctypes.data, count.value, None)
-        return parts
+        return self._array(np.uint64, library.hs_world_get_compound_parts, block_id(block, "block"))
 
     def compound_of_block(self, block: int) -> Tuple[int, int]:
         """Returns the compound and the index of a part; 0 and -1 for a block that is none."""

@@ -5,10 +5,14 @@ import contextlib
 import ctypes
 import threading
 import weakref
-from typing import Any, Callable, ContextManager, Iterable, Iterator, List, Optional, Tuple, TypeVar
+from typing import Any, Callable, ContextManager, Iterable, Iterator, List, Optional, Tuple, Type, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _raw
 from ._library import library
+from ._record import AnyRecord, Record, Records, empty_record
 from .errors import ClosedError, error_of
 
 
@@ -82,7 +86,21 @@ class _Keeper:
             self._abandoned.append((destroy, pointer))
 
 
-class Context:
+class Caller:
+    """What the library's functions are called with."""
+
+    def _call(self, function: Callable[..., int], *arguments: Any) -> int:
+        raise NotImplementedError
+
+    def _record(self, kind: Type[AnyRecord], function: Any, *arguments: Any) -> AnyRecord:
+        """The record that a function fills: its last argument, but for the size of those that may grow."""
+        record, struct = empty_record(kind)
+        is_sized = len(function.argtypes) == len(arguments) + 3
+        self._call(function, *arguments, struct, *[ctypes.sizeof(struct)] * is_sized)
+        return record
+
+
+class Context(Caller):
     """Owner of shapes, meshes and worlds. Without a given context the default context is used.
 
     One thread at a time can call the library in a context; others wait. Worlds of different contexts can run
@@ -144,6 +162,10 @@ class Context:
             raise ClosedError("the context is closed")
         return self._keeper
 
+    def _call(self, function: Callable[..., int], *arguments: Any) -> int:
+        keeper = self._alive
+        return keeper.call(function, keeper.pointer, *arguments)
+
 
 _default: Optional[Context] = None
 
@@ -157,9 +179,10 @@ def default_context() -> Context:
 
 
 _AnyHandle = TypeVar("_AnyHandle", bound="Handle")
+_AnyElement = TypeVar("_AnyElement", bound=np.generic)
 
 
-class Handle:
+class Handle(Caller):
     """An object of the library, destroyed by `close()`, at the end of a `with` block, or by garbage collection.
 
     The creator holds the context's lock from the call that returns the pointer; otherwise another thread could close
@@ -205,6 +228,32 @@ class Handle:
     def _call(self, function: Callable[..., int], *arguments: Any) -> int:
         with self._keeper.lock:  # until the last use of the pointer, as another thread may close it
             return self._keeper.call(function, self._alive, *arguments)
+
+    def _array(self, kind: Type[_AnyElement], function: Any, *arguments: Any) -> NDArray[_AnyElement]:
+        """All that a function returns whose last arguments are an array, its capacity, and the number of elements."""
+        count = function.argtypes[-1]._type_()
+        with self._keeper.lock:
+            self._call(function, *arguments, None, 0, ctypes.byref(count))
+            array = np.zeros(count.value, kind)
+            self._call(function, *arguments, array.ctypes.data, len(array), ctypes.byref(count))
+        return array
+
+    def _records(self, kind: Type[Record], function: Any, *arguments: Any) -> Records:
+        """The same as records."""
+        records: Records = self._array(kind._type, function, *arguments).view(Records)
+        return records
+
+
+@contextlib.contextmanager
+def made(context: Optional[Context], make: Any, *arguments: Any, behind: Tuple[Any, ...] = ()) -> Iterator[Any]:
+    """Context and pointer of what a function makes. The caller of this makes a `Handle` of them, as until then another
+    thread could close the context without destroying the object."""
+    owner = context or default_context()
+    keeper = owner._alive
+    with keeper.lock:
+        pointer = make.argtypes[len(arguments) + 1]._type_()
+        owner._call(make, *arguments, ctypes.byref(pointer), *behind)
+        yield owner, pointer
 
 
 def held(*handles: Handle) -> ContextManager[Any]:

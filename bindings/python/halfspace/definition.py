@@ -10,12 +10,12 @@ import numpy as np
 from . import _raw
 from ._arrays import block_id, index, mutable_view_of
 from ._library import library
-from ._record import Records, empty_records
+from ._record import Records
 from .block_arrays import Floats
 from .constants import ActionKind, FastBlocks, ForcePlace
 from .context import held
 from .properties import Elasticity, Law
-from .records import NOTE
+from .records import Note
 from .relax import Statics
 
 _Definition = TypeVar("_Definition", Law, Elasticity)
@@ -158,19 +158,10 @@ class Definitions(Statics):
     def unusual_settings(self) -> Records:
         """Returns the settings with unusual values, which are probably in another unit: an array of `NOTE`. `check`
         has more, in words."""
-        count = ctypes.c_int64()
-        with held(self):
-            self._call(library.hs_world_check, None, 0, ctypes.byref(count))
-            notes = empty_records(count.value, NOTE)
-            self._call(library.hs_world_check, notes.ctypes.data, len(notes), None)
-        return notes
+        return self._records(Note, library.hs_world_check)
 
     def _densities(self) -> Floats:
-        count = ctypes.c_int64()
-        self._call(library.hs_world_get_densities, None, 0, ctypes.byref(count))
-        densities = np.empty(count.value)
-        self._call(library.hs_world_get_densities, densities.ctypes.data, len(densities), None)
-        return densities
+        return self._array(np.float64, library.hs_world_get_densities)
 
     def _elasticity(self, material: int) -> Optional[Elasticity]:
         struct = _raw.hs_elasticity_def()

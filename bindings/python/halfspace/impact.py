@@ -3,16 +3,15 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
-from typing import Optional, cast
+from typing import Optional
 
 from numpy.typing import ArrayLike
 
 from . import _raw
 from ._arrays import as_pose, struct_of, tensor, turn_vector, vector
 from ._library import library
-from ._record import empty_record
 from .context import held
-from .records import IMPACT, Impact
+from .records import Impact
 from .shape import Shape
 
 
@@ -94,15 +93,8 @@ def pair_time_of_impact(
     >>> ImpactState(impact.state).name, round(impact.time, 9)
     ('TOUCH', 0.003158333)
     """
-    array, address = empty_record(IMPACT)
     moved_a, moved_b = struct_of(motion_a, Motion, "motion_a"), struct_of(motion_b, Motion, "motion_b")
     with held(shape_a, shape_b):
-        shape_a._call(
-            library.hs_pair_time_of_impact,
-            moved_a,
-            shape_b._alive,
-            moved_b,
-            duration,
-            _raw.hs_impact.from_address(address),
+        return shape_a._record(
+            Impact, library.hs_pair_time_of_impact, moved_a, shape_b._alive, moved_b, duration
         )
-    return cast(Impact, array[0])

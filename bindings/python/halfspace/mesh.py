@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional, Sequence, Tuple, Union, cast
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,12 +11,12 @@ from . import _raw
 from ._arrays import block_id, index, indices, mutable_view_of, pose, tensor, vector, view_of
 from ._choice import choice
 from ._library import library
-from ._record import Records, empty_record, empty_records
+from ._record import Records
 from .affine import AffineBlocks
 from .block_arrays import Floats
 from .constants import CellKind
-from .context import Context, Handle, default_context, held
-from .records import BODY_STATE, CELL_STATE, MESH_PROPERTIES, BodyState
+from .context import Context, Handle, held, made
+from .records import BodyState, CellState, MeshProperties
 
 _KIND_OF_WIDTH = {
     (2, 3): CellKind.TRIANGLE,
@@ -59,27 +59,11 @@ class Mesh(Handle):
         if places.ndim != 2 or places.shape[1] not in (2, 3):
             raise ValueError(f"nodes has the shape {places.shape}; it must be (n, 2) or (n, 3)")
         kinds, names = _kinds_and_nodes(cells, places.shape[1])
-        owner = context or default_context()
-        pointer = ctypes.POINTER(_raw.hs_mesh)()
-        keeper = owner._alive
-        with keeper.lock:
-            keeper.call(
-                library.hs_mesh_create,
-                keeper.pointer,
-                places.shape[1],
-                view_of(places, places.shape[1], "nodes"),
-                kinds.ctypes.data,
-                len(kinds),
-                names.ctypes.data,
-                len(names),
-                ctypes.byref(pointer),
-            )
+        given = places.shape[1], view_of(places, places.shape[1], "nodes")
+        cells_given = kinds.ctypes.data, len(kinds), names.ctypes.data, len(names)
+        with made(context, library.hs_mesh_create, *given, *cells_given) as (owner, pointer):
             super().__init__(owner, pointer, library.hs_mesh_destroy)
-        array, address = empty_record(MESH_PROPERTIES)
-        self._call(
-            library.hs_mesh_get_properties, _raw.hs_mesh_properties.from_address(address), MESH_PROPERTIES.itemsize
-        )
-        self._properties = array[0]
+        self._properties = self._record(MeshProperties, library.hs_mesh_get_properties)
 
     @classmethod
     def rectangle(
@@ -205,10 +189,7 @@ class Bodies(AffineBlocks):
 
     def body_state(self, body: int) -> BodyState:
         """Returns mass, centroid, momentum and energies of a body: a record of `BODY_STATE`."""
-        array, address = empty_record(BODY_STATE)
-        state = _raw.hs_body_state.from_address(address)
-        self._call(library.hs_world_get_body_state, block_id(body, "body"), state, BODY_STATE.itemsize)
-        return cast(BodyState, array[0])
+        return self._record(BodyState, library.hs_world_get_body_state, block_id(body, "body"))
 
     def body_of_block(self, block: int) -> Tuple[int, int]:
         """Returns the body and the index of the cell of a surface block; 0 and -1 for a block of another kind."""
@@ -339,7 +320,4 @@ class Bodies(AffineBlocks):
     def cells(self, body: int) -> Records:
         """Returns strain and stress of a body's cells: an array of `CELL_STATE`, whose ``["stress"]`` has the shape
         (m, 3, 3)."""
-        with held(self):
-            cells = empty_records(int(self.body_state(body).cell_count), CELL_STATE)
-            self._call(library.hs_world_get_cells, block_id(body, "body"), cells.ctypes.data, len(cells), None)
-        return cells
+        return self._records(CellState, library.hs_world_get_cells, block_id(body, "body"))

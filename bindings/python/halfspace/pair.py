@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional, Sequence, cast
+from typing import Any, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _raw
 from ._arrays import as_pose, indices
 from ._library import library
-from ._record import empty_record, empty_records
+from ._record import Records
 from .context import held
 from .records import CONTACT, PAIR_CACHE, Contact
 from .shape import Shape
@@ -96,20 +96,11 @@ def pair_detect(
     >>> print(contact.gap, contact.area)
     -0.125 0.75
     """
-    array, address = empty_record(CONTACT)
     place_a, place_b = as_pose(pose_a, "pose_a"), as_pose(pose_b, "pose_b")
     options = _options(parallel_angle, vertex_zone, margin, without_region)
     with held(shape_a, shape_b):
-        shape_a._call(
-            library.hs_pair_detect,
-            place_a,
-            shape_b._alive,
-            place_b,
-            options,
-            None if cache is None else cache._struct,
-            _raw.hs_contact.from_address(address),
-        )
-    return cast(Contact, array[0])
+        given = place_a, shape_b._alive, place_b, options, None if cache is None else cache._struct
+        return shape_a._record(Contact, library.hs_pair_detect, *given)
 
 
 def pair_caches(count: int) -> NDArray[Any]:
@@ -158,7 +149,7 @@ def pairs_detect(
     bodies = indices(pairs, "pairs")
     if bodies.ndim != 2 or bodies.shape[1] != 2:
         raise ValueError(f"pairs has the shape {bodies.shape}; it must be (n, 2)")
-    contacts = empty_records(len(bodies), CONTACT) if out is None else out
+    contacts = np.zeros(len(bodies), CONTACT).view(Records) if out is None else out
     for array, dtype, name in ((caches, PAIR_CACHE, "caches"), (contacts, CONTACT, "out")):
         if array is not None and (
             array.dtype != dtype or array.shape != (len(bodies),) or not array.flags.carray

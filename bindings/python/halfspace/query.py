@@ -7,12 +7,10 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _raw
 from ._arrays import as_pose, floats, vector, view_of
 from ._library import library
-from ._record import empty_record
 from .context import Context, default_context, held
-from .records import CLOSEST_POINTS, RAY_HIT
+from .records import ClosestPoints, RayHit
 from .relax import Statics
 from .shape import Shape
 
@@ -40,12 +38,9 @@ def pair_distance(shape_a: Shape, pose_a: ArrayLike, shape_b: Shape, pose_b: Arr
     >>> print(closest.distance, closest.normal)
     5.0 [0.6 0.8 0. ]
     """
-    array, address = empty_record(CLOSEST_POINTS)
     place_a, place_b = as_pose(pose_a, "pose_a"), as_pose(pose_b, "pose_b")
-    points = _raw.hs_closest_points.from_address(address)
     with held(shape_a, shape_b):
-        shape_a._call(library.hs_pair_distance, place_a, shape_b._alive, place_b, points)
-    return array[0]
+        return shape_a._record(ClosestPoints, library.hs_pair_distance, place_a, shape_b._alive, place_b)
 
 
 def boxes_find_pairs(
@@ -74,19 +69,11 @@ def boxes_find_pairs(
     corners = floats(lower, "lower")
     dimension = 3 if corners.ndim == 2 and corners.shape[1] == 3 else 2
     low, high = view_of(corners, dimension, "lower"), view_of(upper, dimension, "upper")
-    keeper = (context or default_context())._alive
-    pairs, count = np.empty((len(corners), 2), np.int32), ctypes.c_int64()
+    owner, count = context or default_context(), ctypes.c_int64()
+    pairs = np.empty((len(corners), 2), np.int32)
     while True:
-        keeper.call(
-            library.hs_boxes_find_pairs,
-            keeper.pointer,
-            dimension,
-            low,
-            high,
-            pairs.ctypes.data,
-            len(pairs),
-            ctypes.byref(count),
-        )
+        found = pairs.ctypes.data, len(pairs), ctypes.byref(count)
+        owner._call(library.hs_boxes_find_pairs, dimension, low, high, *found)
         if count.value <= len(pairs):
             return pairs[: count.value]
         pairs = np.empty((count.value, 2), np.int32)
@@ -116,9 +103,8 @@ def points_order_along_curve(points: ArrayLike, *, context: Optional[Context] = 
     array = floats(points, "points")
     dimension = 3 if array.ndim == 2 and array.shape[1] == 3 else 2
     view = view_of(array, dimension, "points")
-    keeper = (context or default_context())._alive
     order = np.empty(len(array), np.int32)
-    keeper.call(library.hs_points_order_along_curve, keeper.pointer, dimension, view, order.ctypes.data)
+    (context or default_context())._call(library.hs_points_order_along_curve, dimension, view, order.ctypes.data)
     return order
 
 
@@ -141,8 +127,6 @@ class QueriedBlocks(Statics):
         numpy.record or None
             A record of `RAY_HIT`: `block`, `distance`, `point`, `normal` and `face`; None if it meets no block.
         """
-        array, address = empty_record(RAY_HIT)
         start, along = vector(origin, "origin"), vector(direction, "direction")
-        hit = _raw.hs_ray_hit.from_address(address)
-        self._call(library.hs_world_cast_ray, start, along, max_distance, hit)
-        return array[0] if hit.is_hit else None
+        hit = self._record(RayHit, library.hs_world_cast_ray, start, along, max_distance)
+        return hit if hit.is_hit else None

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import operator
-from typing import Tuple, Union, cast
+from typing import Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -14,7 +14,7 @@ from ._library import library
 from ._record import empty_record
 from .constants import Unbalanced
 from .context import held
-from .records import BALANCE, STRENGTH_REPORT, Balance, StrengthReport
+from .records import Balance, StrengthReport
 from .water import WetBlocks
 
 _STEPS_OF_PIECE = 20000  # as of bindings/cli/run/settle.h
@@ -61,26 +61,23 @@ class Statics(WetBlocks):
         library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
         struct.measure, struct.ratio = choice(measure, Unbalanced, "measure"), ratio
         struct.local_damping, struct.is_adaptive, struct.hold_bonds = local_damping, int(adaptive), int(hold_bonds)
-        array, address = empty_record(BALANCE)
-        balance = _raw.hs_balance.from_address(address)
+        final, balance = empty_record(Balance)
         done, left = 0, operator.index(max_steps)
         with held(self):
             while True:
                 struct.max_steps = min(left, _STEPS_OF_PIECE)
-                status = self._call(library.hs_world_relax, struct, balance, BALANCE.itemsize)
+                status = self._call(library.hs_world_relax, struct, balance, ctypes.sizeof(balance))
                 done += balance.steps
                 left -= balance.steps
                 if status != _raw.HS_NOTE_NOT_AT_REST or left <= 0 or balance.steps < struct.max_steps:
                     break
         balance.steps = done
-        return status != _raw.HS_NOTE_NOT_AT_REST, cast(Balance, array[0])
+        return status != _raw.HS_NOTE_NOT_AT_REST, final
 
     @property
     def balance(self) -> Balance:
         """Current balance of forces: a record of `BALANCE`. It costs as much as a step."""
-        array, address = empty_record(BALANCE)
-        self._call(library.hs_world_get_balance, _raw.hs_balance.from_address(address), BALANCE.itemsize)
-        return cast(Balance, array[0])
+        return self._record(Balance, library.hs_world_get_balance)
 
     def set_gravity(self, gravity: ArrayLike) -> None:
         """Sets gravity, m/s2. The change of potential energy counts as external work."""
@@ -132,7 +129,6 @@ class Statics(WetBlocks):
         library.hs_strength_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
         struct.low, struct.high, struct.resolution, struct.ratio = low, high, resolution, ratio
         struct.max_displacement, struct.max_steps = max_displacement, max_steps
-        array, address = empty_record(STRENGTH_REPORT)
-        report = _raw.hs_strength_report.from_address(address)
-        self._call(library.hs_world_find_strength_factor, struct, report, STRENGTH_REPORT.itemsize, None)
-        return cast(StrengthReport, array[0])
+        report, written = empty_record(StrengthReport)
+        self._call(library.hs_world_find_strength_factor, struct, written, ctypes.sizeof(written), None)
+        return report

@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Union, ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _raw, _scene
+from . import _scene
 from ._library import library
-from ._record import empty_record
 from .block_arrays import BlockArrays
 from .context import held
 from .progress import ProgressBar
-from .records import WORLD_REPORT, Energy, WorldReport
+from .records import Energy, WorldReport
 
 if TYPE_CHECKING:
     from .world import World
@@ -34,9 +33,7 @@ class Runs(BlockArrays):
     @property
     def report(self) -> WorldReport:
         """Time, time step, counts and energies: a record of `WORLD_REPORT`."""
-        array, address = empty_record(WORLD_REPORT)
-        self._call(library.hs_world_get_report, _raw.hs_world_report.from_address(address), array.nbytes)
-        return cast(WorldReport, array[0])
+        return self._record(WorldReport, library.hs_world_get_report)
 
     @property
     def energy(self) -> Energy:

@@ -269,7 +269,7 @@ class Scene(Searches):
             yield owner, keeper.pointer
 
     def _owned(self, owner: Context, pointer: Any) -> World:
-        world = World._owned(owner, pointer, self.dimension)
+        world = World._of(owner, pointer, self.dimension)
         world._names = self._names_of(world)
         world._notes_of_scene = self._handle.text(_scene.TEXT_NOTES).splitlines()
         return world
@@ -279,7 +279,7 @@ class Scene(Searches):
         names: Dict[int, str] = {}
 
         def world_at(pointer: Any) -> World:
-            world = World._borrowed(owner, pointer, self.dimension)
+            world = World._of(owner, pointer, self.dimension, is_owned=False)
             if not names:
                 names.update(self._names_of(world))
             world._names = names

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, List, Optional, Sequence, Tuple, cast
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,8 +11,8 @@ from . import _raw
 from ._arrays import as_pose, floats, indices, mutable_view_of, require_above_0, vector, view_of
 from ._library import library
 from ._record import empty_record
-from .context import Context, Handle, default_context, held
-from .records import CLEAN_REPORT, FAULT, FIT_REPORT, RAY_HIT, SHAPE_PROPERTIES, Fault, ShapeProperties
+from .context import Context, Handle, default_context, held, made
+from .records import CleanReport, Fault, FitReport, RayHit, ShapeProperties
 
 
 class Shape(Handle):
@@ -31,18 +31,14 @@ class Shape(Handle):
 
     def __init__(self, context: Context, pointer: Any) -> None:
         super().__init__(context, pointer, library.hs_shape_destroy)
-        self._properties: Any = None
-        self._fit_report: Any = None
+        self._properties: Optional[ShapeProperties] = None
+        self._fit_report: Optional[FitReport] = None
 
     @classmethod
     def _make(
         cls, context: Optional[Context], create: Callable[..., int], *arguments: Any, behind: Tuple[Any, ...] = ()
     ) -> "Shape":
-        owner = context or default_context()
-        pointer = ctypes.POINTER(_raw.hs_shape)()
-        keeper = owner._alive
-        with keeper.lock:
-            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer), *behind)
+        with made(context, create, *arguments, behind=behind) as (owner, pointer):
             return cls(owner, pointer)
 
     @classmethod
@@ -71,19 +67,10 @@ class Shape(Handle):
         tolerance: float,
         context: Optional[Context],
     ) -> "Shape":
-        sizes, corners = _flattened(faces)
-        report, address = empty_record(FIT_REPORT)
-        shape = cls._make(
-            context,
-            library.hs_polyhedron_create_fitted,
-            view_of(vertices, 3, "vertices"),
-            sizes.ctypes.data,
-            len(sizes),
-            corners.ctypes.data,
-            tolerance,
-            behind=(_raw.hs_fit_report.from_address(address),),
-        )
-        shape._fit_report = report[0]
+        report, written = empty_record(FitReport)
+        given = *_outline_of(vertices, faces), tolerance
+        shape = cls._make(context, library.hs_polyhedron_create_fitted, *given, behind=(written,))
+        shape._fit_report = report
         return shape
 
     @classmethod
@@ -110,11 +97,7 @@ class Shape(Handle):
         """
         if tolerance is not None:
             return cls._fitted(vertices, faces, tolerance, context)
-        sizes, corners = _flattened(faces)
-        view = view_of(vertices, 3, "vertices")
-        return cls._make(
-            context, library.hs_polyhedron_create, view, sizes.ctypes.data, len(sizes), corners.ctypes.data
-        )
+        return cls._make(context, library.hs_polyhedron_create, *_outline_of(vertices, faces))
 
     @classmethod
     def hull(
@@ -211,11 +194,8 @@ class Shape(Handle):
     def properties(self) -> ShapeProperties:
         """Geometry and mass properties per unit density: a record of the fields of ``hs_shape_properties``."""
         if self._properties is None:
-            array, address = empty_record(SHAPE_PROPERTIES)
-            pointer = _raw.hs_shape_properties.from_address(address)
-            self._call(library.hs_shape_get_properties, ctypes.byref(pointer), array.nbytes)
-            self._properties = array[0]
-        return cast(ShapeProperties, self._properties)
+            self._properties = self._record(ShapeProperties, library.hs_shape_get_properties)
+        return self._properties
 
     @property
     def fit_report(self) -> Any:
@@ -250,15 +230,8 @@ class Shape(Handle):
         """Vertex indices of each face, counter-clockwise seen from outside; in 2D the two ends of each edge."""
         faces, corners = self.properties.face_count, 2 * self.properties.edge_count
         first, vertices = np.empty(faces + 1, np.int32), np.empty(corners, np.int32)
-        self._call(
-            library.hs_shape_get_faces,
-            first.ctypes.data,
-            faces + 1,
-            vertices.ctypes.data,
-            corners,
-            None,
-            None,
-        )
+        arrays = first.ctypes.data, faces + 1, vertices.ctypes.data, corners
+        self._call(library.hs_shape_get_faces, *arrays, None, None)
         return np.split(vertices, first[1:-1])
 
     @property
@@ -325,11 +298,9 @@ class Shape(Handle):
         >>> print(hit.distance, hit.face)
         2.5 3
         """
-        array, address = empty_record(RAY_HIT)
         start, along = vector(origin, "origin"), vector(direction, "direction")
-        hit = _raw.hs_ray_hit.from_address(address)
-        self._call(library.hs_shape_cast_ray, as_pose(pose, "pose"), start, along, max_distance, hit)
-        return array[0] if hit.is_hit else None
+        hit = self._record(RayHit, library.hs_shape_cast_ray, as_pose(pose, "pose"), start, along, max_distance)
+        return hit if hit.is_hit else None
 
     def cut(self, point: ArrayLike, normal: ArrayLike) -> Tuple[Optional["Shape"], Optional["Shape"]]:
         """Cuts the shape by a plane (2D: a line) into two shapes. The shape does not change.
@@ -354,10 +325,12 @@ class Shape(Handle):
         return behind, ahead
 
 
-def _flattened(faces: Sequence[Sequence[int]]) -> Tuple[NDArray[np.int32], NDArray[np.int32]]:
+def _outline_of(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> Tuple[Any, ...]:
+    """Vertices and faces of a polyhedron, as functions of the library take them."""
     lists = [indices(face, f"faces[{i}]") for i, face in enumerate(faces)]
-    sizes = np.array([len(face) for face in lists], np.int32)
-    return sizes, np.concatenate(lists) if lists else np.empty(0, np.int32)
+    sizes = (ctypes.c_int32 * len(lists))(*map(len, lists))
+    corners = np.concatenate([np.empty(0, np.int32), *lists])
+    return view_of(vertices, 3, "vertices"), sizes, len(sizes), corners.ctypes.data_as(ctypes.c_void_p)
 
 
 def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> Fault:
@@ -368,34 +341,16 @@ def check_polygon(vertices: ArrayLike, *, context: Optional[Context] = None) -> 
     numpy.record
         `kind` (a `Fault`, 0 if there is none) and `vertex` (-1: the whole).
     """
-    keeper = (context or default_context())._alive
-    array, address = empty_record(FAULT)
-    keeper.call(
-        library.hs_polygon_check,
-        keeper.pointer,
-        view_of(vertices, 2, "vertices"),
-        _raw.hs_fault.from_address(address),
-    )
-    return cast(Fault, array[0])
+    owner = context or default_context()
+    return owner._record(Fault, library.hs_polygon_check, view_of(vertices, 2, "vertices"))
 
 
 def check_polyhedron(
     vertices: ArrayLike, faces: Sequence[Sequence[int]], *, context: Optional[Context] = None
 ) -> Fault:
     """Validates the vertices and faces of a polyhedron, as `check_polygon`; the record also has the `face`."""
-    keeper = (context or default_context())._alive
-    sizes, corners = _flattened(faces)
-    array, address = empty_record(FAULT)
-    keeper.call(
-        library.hs_polyhedron_check,
-        keeper.pointer,
-        view_of(vertices, 3, "vertices"),
-        sizes.ctypes.data,
-        len(sizes),
-        corners.ctypes.data,
-        _raw.hs_fault.from_address(address),
-    )
-    return cast(Fault, array[0])
+    owner = context or default_context()
+    return owner._record(Fault, library.hs_polyhedron_check, *_outline_of(vertices, faces))
 
 
 def clean_polygon(
@@ -417,17 +372,8 @@ def clean_polygon(
     report : numpy.record
         `welded`, `straightened` and `reversed`.
     """
-    keeper = (context or default_context())._alive
     view = view_of(vertices, 2, "vertices")
     cleaned, count = np.empty((view.count, 2)), ctypes.c_int64()
-    array, address = empty_record(CLEAN_REPORT)
-    keeper.call(
-        library.hs_polygon_clean,
-        keeper.pointer,
-        view,
-        tolerance,
-        mutable_view_of(cleaned, 2, "cleaned"),
-        ctypes.byref(count),
-        _raw.hs_clean_report.from_address(address),
-    )
-    return cleaned[: count.value], array[0]
+    given = view, tolerance, mutable_view_of(cleaned, 2, "cleaned"), ctypes.byref(count)
+    report = (context or default_context())._record(CleanReport, library.hs_polygon_clean, *given)
+    return cleaned[: count.value], report

@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _raw
 from ._choice import choice
 from ._library import library
-from ._record import Floats, empty_record
+from ._record import Floats
 from .block_arrays import BlockArrays
 from .constants import Role
-from .context import held
-from .records import SHARE_INFO, SHARE_PLAN, ShareInfo, SharePlan
+from .context import held, made
+from .records import ShareInfo, SharePlan
 
 if TYPE_CHECKING:
     from .world import World
@@ -76,10 +76,7 @@ class Shares(BlockArrays):
     def keys(self) -> NDArray[np.int64]:
         """Names of all blocks in all shares, ascending; by default places in `blocks`. Assignment sets those of a
         whole world. Blocks that are added or removed later end these keys."""
-        with held(self):
-            keys = np.empty(len(self), np.int64)
-            self._call(library.hs_world_get_keys, keys.ctypes.data, len(keys), None)
-        return keys
+        return self._array(np.int64, library.hs_world_get_keys)
 
     @keys.setter
     def keys(self, keys: ArrayLike) -> None:
@@ -90,17 +87,11 @@ class Shares(BlockArrays):
     def roles(self) -> NDArray[np.int32]:
         """Roles of all blocks, values of `Role`. In a whole world fixed and prescribed blocks are everywhere, all
         others own."""
-        with held(self):
-            roles = np.empty(len(self), np.int32)
-            self._call(library.hs_world_get_roles, roles.ctypes.data, len(roles), None)
-        return roles
+        return self._array(np.int32, library.hs_world_get_roles)
 
     def share_info(self) -> ShareInfo:
         """Returns numbers of blocks, and how far copies must reach, after `plan_motion`: a record of `SHARE_INFO`."""
-        array, address = empty_record(SHARE_INFO)
-        info = _raw.hs_share_info.from_address(address)
-        self._call(library.hs_world_get_share_info, info, array.nbytes)
-        return cast(ShareInfo, array[0])
+        return self._record(ShareInfo, library.hs_world_get_share_info)
 
     def pack(self, keys: ArrayLike, with_shapes: bool = True) -> List[bytes]:
         """Packs blocks for other shares: their motion, and the memory of their pairs.
@@ -143,14 +134,12 @@ class Shares(BlockArrays):
             Its settings, laws, clock, list of pairs and losses are those of this world.
         """
         structs = (_raw.hs_packed * len(blocks))(*[block._as_struct() for block in blocks])
-        pointer = ctypes.POINTER(_raw.hs_world)()
-        keeper = self._keeper
         with held(self):
-            made = (structs, len(blocks), ctypes.byref(pointer))
-            keeper.call(library.hs_world_assemble, keeper.pointer, self._alive, *made)
-            share = cast(Any, type(self))._owned(self.context, pointer, self.dimension)
-            share._given = self._given.copy()
-        return cast("World", share)
+            given = self._alive, structs, len(blocks)
+            with made(self.context, library.hs_world_assemble, *given) as (owner, pointer):
+                share: "World" = cast(Any, type(self))._of(owner, pointer, self.dimension)
+                share._given = self._given.copy()
+                return share
 
     @property
     def sums(self) -> Floats:
@@ -183,12 +172,12 @@ class Shares(BlockArrays):
         """Plans the motion of a step, without moving any block, and returns its needs: a record of `SHARE_PLAN`. The
         host combines those of all shares: the maximum of `needs_list` and of `needs_assembly`, the minimum of
         `refusal`."""
-        return self._planned(library.hs_world_plan_motion)
+        return self._record(SharePlan, library.hs_world_plan_motion)
 
     def renew_list(self) -> SharePlan:
         """Renews the list of pairs for the planned motion, in all shares if the plan of any needs it. Returns the plan
         with the new list, whose `refusal` counts."""
-        return self._planned(library.hs_world_renew_list)
+        return self._record(SharePlan, library.hs_world_renew_list)
 
     def move(self) -> None:
         """Makes the planned motion, which must be without a refusal, and computes contacts and forces after it."""
@@ -215,11 +204,6 @@ class Shares(BlockArrays):
     def end_step(self) -> None:
         """Ends the step: computes velocities and energies at the end of the motion, from the loads."""
         self._call(library.hs_world_end_step)
-
-    def _planned(self, function: Any) -> SharePlan:
-        array, address = empty_record(SHARE_PLAN)
-        self._call(function, _raw.hs_share_plan.from_address(address))
-        return cast(SharePlan, array[0])
 
     def _shape_of_loads(self, keys: NDArray[np.int64]) -> Tuple[int, int]:
         if self._load_length == 0:

@@ -4,7 +4,7 @@ from __future__ import annotations
 import ctypes
 import operator
 import time
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union, cast
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,17 +13,17 @@ from . import _raw
 from ._arrays import as_pose, block_id, gravity_vector, index, mutable_view_of, pose, struct_of, turn_vector, vector
 from ._choice import choice
 from ._library import library
-from ._record import Records, empty_record, empty_records
+from ._record import Records
 from .action import ActedOn
 from .block_arrays import Floats
 from .compound import CompoundBlocks, set_start
 from .constants import BlockKind, FastBlocks
-from .context import Context, default_context, held
+from .context import Context, held, made
 from .notes import notes_on
 from .plot import picture_by, plot_blocks
 from .plot_space import plot_solids
 from .properties import Law
-from .records import BLOCK_STATE, CONTACT, WORLD_PLAN, BlockState, WorldPlan
+from .records import BlockState, Contact, WorldPlan
 from .run import Runs
 from .shape import Shape
 from .share import Shares
@@ -108,58 +108,33 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         law: Optional[Law] = None,
         context: Optional[Context] = None,
     ) -> None:
+        given = {name: value for name, value in locals().items() if value is not None}
         definition = _raw.hs_world_def()
-        dimension = index(dimension, "dimension")
-        of_space = dimension == 3
-        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if of_space else 2)
-        definition.dimension = dimension  # values other than 2 or 3 are refused below, with an error text
+        given["dimension"] = dimension = index(dimension, "dimension")
+        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if dimension == 3 else 2)
         if gravity is not None:
-            definition.gravity = gravity_vector(gravity, dimension)
-        settings = dict(
-            time_step=time_step,
-            safety=safety,
-            local_damping=local_damping,
-            mass_damping=mass_damping,
-            skin=skin,
-            parallel_angle=parallel_angle,
-            vertex_zone=vertex_zone,
-            potential_length=potential_length,
-            fast_blocks=None if fast_blocks is None else choice(fast_blocks, FastBlocks, "fast_blocks"),
-            sleep_tolerance=sleep_tolerance,
-            impulse_tolerance=impulse_tolerance,
-            max_impulse_iterations=max_impulse_iterations,
-            locate_impacts=locate_impacts,
-        )
-        for name, value in settings.items():
-            if value is not None:
-                setattr(definition, name, value)
+            given["gravity"] = gravity_vector(gravity, dimension)
+        if fast_blocks is not None:
+            given["fast_blocks"] = choice(fast_blocks, FastBlocks, "fast_blocks")
+        for name, _ in definition._fields_:
+            if name in given:
+                setattr(definition, name, given[name])
         self._make(context, dimension, library.hs_world_create, definition)
         self._given.is_of_snapshot = False
         if law is not None:
             self.set_default_law(law)
 
-    def _make(
-        self, context: Optional[Context], dimension: int, create: Callable[..., int], *arguments: Any
-    ) -> None:
-        owner = context or default_context()
-        pointer = ctypes.POINTER(_raw.hs_world)()
-        keeper = owner._alive
-        with keeper.lock:
-            owner._alive.call(create, keeper.pointer, *arguments, ctypes.byref(pointer))
+    def _make(self, context: Optional[Context], dimension: int, make: Any, *arguments: Any) -> None:
+        with made(context, make, *arguments) as (owner, pointer):
             super().__init__(owner, pointer, library.hs_world_destroy, dimension)
 
     @classmethod
-    def _owned(cls, owner: Context, pointer: Any, dimension: int) -> "World":
-        """A world that another part of the library made in a context; the caller holds its lock."""
+    def _of(cls, owner: Context, pointer: Any, dimension: int, *, is_owned: bool = True) -> "World":
+        """A world that another part of the library made in a context, whose lock the caller holds, and that the other
+        part destroys if it is not owned."""
         world = cls.__new__(cls)
-        super(World, world).__init__(owner, pointer, library.hs_world_destroy, dimension)
-        return world
-
-    @classmethod
-    def _borrowed(cls, owner: Context, pointer: Any, dimension: int) -> "World":
-        """The same, which another part of the library destroys."""
-        world = cls.__new__(cls)
-        super(World, world).__init__(owner, pointer, lambda _: None, dimension)
+        destroy = library.hs_world_destroy if is_owned else lambda _: None
+        super(World, world).__init__(owner, pointer, destroy, dimension)
         return world
 
     @classmethod
@@ -176,12 +151,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def save(self) -> bytes:
         """Returns a snapshot of the complete state."""
-        count = ctypes.c_size_t()
-        with held(self):
-            self._call(library.hs_world_save, None, 0, ctypes.byref(count))
-            stored = np.empty(count.value, np.uint8)
-            self._call(library.hs_world_save, stored.ctypes.data, stored.nbytes, ctypes.byref(count))
-        return stored.tobytes()
+        return bytes(self._array(np.uint8, library.hs_world_save))
 
     def __reduce__(self) -> Tuple[Any, ...]:  # pickle: the context is not stored
         return World.restore, (self.save(),)
@@ -309,10 +279,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def state(self, block: int) -> BlockState:
         """Returns the motion of a block: a record of `BLOCK_STATE`."""
-        array, address = empty_record(BLOCK_STATE)
-        state = _raw.hs_block_state.from_address(address)
-        self._call(library.hs_world_get_block_state, block_id(block, "block"), state)
-        return cast(BlockState, array[0])
+        return self._record(BlockState, library.hs_world_get_block_state, block_id(block, "block"))
 
     def block_vertices(self, block: int) -> Floats:
         """Returns the current positions of a block's vertices, m, shape (n, dimension)."""
@@ -405,12 +372,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
     def contacts(self) -> Records:
         """Returns the contacts of the last detection: an array of `CONTACT`, a before b. Those of laws with springs are
         first, sorted by block index. `contacts().gap` is the array of their gaps."""
-        count = ctypes.c_int64()
-        with held(self):
-            self._call(library.hs_world_get_contacts, None, 0, ctypes.byref(count))
-            contacts = empty_records(count.value, CONTACT)
-            self._call(library.hs_world_get_contacts, contacts.ctypes.data, len(contacts), None)
-        return contacts
+        return self._records(Contact, library.hs_world_get_contacts)
 
     def set_shear_force(self, block_a: int, block_b: int, shear_force: ArrayLike) -> None:
         """Preloads the shear spring of a contact with a force on `block_b`, e.g. to start from
@@ -426,9 +388,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.
 
         Its times are measured over `steps` steps of a copy. ``plan.parts`` are the active parts, a `WorldPart`."""
-        array, address = empty_record(WORLD_PLAN)
-        self._call(library.hs_world_get_plan, steps, _raw.hs_world_plan.from_address(address), array.nbytes)
-        return cast(WorldPlan, array[0])
+        return self._record(WorldPlan, library.hs_world_get_plan, steps)
 
     def check(self) -> List[str]:
         """Returns notes on unusual input: those of ``halfspace check`` (docs/scenes/notes.md), in the words of scenes,
