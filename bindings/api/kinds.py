@@ -1,7 +1,7 @@
 """Constants of the C API as enumerations: of Rust, those that a host reads or chooses from, and of Python."""
 import meanings
 from prose import wrapped
-from python import with_comment
+from python import public_names, with_comment
 from rust import documented
 
 RUST_HEAD = '''\
@@ -41,7 +41,8 @@ def rust_enum(name, comment, prefix, constants):
 
 
 def write_python(api):
-    lines = PYTHON_HEAD.format_map(api).splitlines()
+    names = [name for name, _ in meanings.groups(api, 1)]
+    lines = [*PYTHON_HEAD.format_map(api).splitlines(), "", *public_names(names)]
     for name, group in meanings.groups(api, 1):
         base = "IntFlag" if group["group"] in meanings.SUMS else "IntEnum"
         lines += ["", "", f"class {name}({base}):", *wrapped(group["comment"] + '"""', '    """', "    "), ""]

@@ -134,3 +134,9 @@ def with_comment(code, comment):
         return [behind]
     indent = code[:len(code) - len(code.lstrip())]
     return [*wrapped(comment, indent + "# "), code]
+
+
+def public_names(names):
+    """The names that `import *` takes from a module."""
+    listed = ", ".join(f'"{name}"' for name in names)
+    return wrapped(f"__all__ = [{listed}]", "", " " * 11)

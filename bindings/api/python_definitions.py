@@ -4,6 +4,7 @@ import re
 import definitions
 import meanings
 from prose import wrapped
+from python import public_names
 from python_records import kind_of
 
 HEAD = '''\
@@ -31,6 +32,7 @@ def write(api):
     structs = [meanings.find(api, name) for name in definitions.PROPERTIES]
     kinds = {kind_of(struct, field) for struct in structs for field in struct["fields"]} - {None}
     lines = HEAD.format(generated=api["generated"], kinds=", ".join(sorted(kinds))).splitlines()
+    lines += ["", *public_names(map(class_of, structs))]
     for struct in structs:
         lines += ["", "", *dataclass(struct)]
     return "\n".join(lines) + "\n"

@@ -4,6 +4,10 @@ from enum import IntEnum, IntFlag
 
 from . import _raw
 
+__all__ = ["ContactType", "PairKind", "StiffnessKind", "Fault", "BlockKind", "FastBlocks", "CellKind",
+           "ActionKind", "ForcePlace", "Plane", "BondFailure", "Setting", "ImpactState", "WorldPart",
+           "Unbalanced", "Role"]
+
 
 class ContactType(IntEnum):
     """Contact types (Wang et al. 2021, section 2.5)."""

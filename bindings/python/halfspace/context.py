@@ -86,7 +86,7 @@ class _Keeper:
             self._abandoned.append((destroy, pointer))
 
 
-class Caller:
+class _Caller:
     """What the library's functions are called with."""
 
     def _call(self, function: Callable[..., int], *arguments: Any) -> int:
@@ -100,7 +100,7 @@ class Caller:
         return record
 
 
-class Context(Caller):
+class Context(_Caller):
     """Owner of shapes, meshes and worlds. Without a given context the default context is used.
 
     One thread at a time can call the library in a context; others wait. Worlds of different contexts can run
@@ -182,7 +182,7 @@ _AnyHandle = TypeVar("_AnyHandle", bound="Handle")
 _AnyElement = TypeVar("_AnyElement", bound=np.generic)
 
 
-class Handle(Caller):
+class Handle(_Caller):
     """An object of the library, destroyed by `close()`, at the end of a `with` block, or by garbage collection.
 
     The creator holds the context's lock from the call that returns the pointer; otherwise another thread could close

@@ -10,6 +10,8 @@ from ._definition import Definition
 from ._library import library
 from .constants import Plane, StiffnessKind
 
+__all__ = ["Law", "Elasticity", "Bond", "Bolt"]
+
 
 @dataclasses.dataclass(frozen=True)
 class Law(Definition):

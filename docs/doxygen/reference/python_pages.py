@@ -1,5 +1,5 @@
-"""The modules of the package for Python, read from their sources: the names of `__all__`. The members that a public
-class has from another one stand on the page of the other, under the name of the public class."""
+"""The modules of the package for Python, read from their sources: the names that the package imports for its users. The
+members that a public class has from another one stand on the page of the other, under the name of the public class."""
 import ast
 import re
 import textwrap
@@ -86,11 +86,13 @@ def class_item(node, owner):
 
 
 def public_names(trees):
-    """The names of `__all__`, and those of modules that users import by themselves."""
-    (listed,) = [ast.literal_eval(one.value) for one in trees["__init__"].body
-                 if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"]
-    imported = [getattr(one, "name", "_") for name in IMPORTED for one in trees[name].body]
-    return {*listed, *(name for name in imported if not name.startswith("_"))}
+    """The names that the package imports for its users, all of a module or `as` themselves, and those of modules that
+    users import by themselves."""
+    imports = [one for one in trees["__init__"].body if isinstance(one, ast.ImportFrom)]
+    whole = [one.module for one in imports if one.names[0].name == "*"]
+    listed = [each.name for one in imports for each in one.names if each.asname == each.name]
+    defined = [getattr(one, "name", "_") for name in (*IMPORTED, *whole) for one in trees[name].body]
+    return {*listed, *(name for name in defined if not name.startswith("_"))}
 
 
 def owners_of(trees, public):
