@@ -22,6 +22,7 @@ from clang.cindex import CursorKind, TypeKind
 import comment
 
 HEADER = "capi/include/halfspace/halfspace.h"
+DECLARATIONS = ("aliases", "handles", "structs", "callbacks")
 TYPES = {"int32_t", "uint32_t", "int64_t", "uint64_t", "size_t", "double", "char", "void"}
 
 
@@ -29,15 +30,16 @@ class Fault(Exception):
     """What the bindings cannot be made from."""
 
 
-def describe(root):
-    """The public interface that the header in the source tree `root` declares."""
-    include = root / "capi" / "include"
+def describe(root, header=HEADER, known=None):
+    """The public interface that the header in the source tree `root` declares; its types may be those of the interface
+    `known`, which is another header's."""
+    include, folder = root / "capi" / "include", (root / header).parents[1]
     options = cindex.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD
-    unit = cindex.Index.create().parse(str(root / HEADER), ["-std=c99", f"-I{include}"], options=options)
+    unit = cindex.Index.create().parse(str(root / header), ["-std=c99", f"-I{include}"], options=options)
     for diagnostic in unit.diagnostics:
         raise Fault(str(diagnostic))
     api = {
-        "generated": f"by bindings/api/generate from {HEADER}; do not edit",
+        "generated": f"by bindings/api/generate from {header}; do not edit",
         "version": version(root),
         "status_codes": [],
         "constants": [],
@@ -47,16 +49,21 @@ def describe(root):
         "callbacks": [],
         "functions": [],
     }
-    texts = status_texts(unit)
+    known = known or dict.fromkeys(DECLARATIONS, [])
+    for kind in DECLARATIONS:
+        api[kind] += known[kind]
+    texts = status_texts(unit) if header == HEADER else {}
     for cursor in unit.cursor.get_children():
-        if not cursor.location.file or not cursor.location.file.name.startswith(str(include)):
+        if not cursor.location.file or not cursor.location.file.name.startswith(str(folder)):
             continue
         if cursor.kind == CursorKind.ENUM_DECL:
             add_enum(api, cursor, texts)
         elif cursor.kind == CursorKind.TYPEDEF_DECL:
             add_type(api, cursor)
         elif cursor.kind == CursorKind.FUNCTION_DECL:
-            api["functions"].append(function(api, cursor, os.path.relpath(cursor.location.file.name, include)))
+            api["functions"].append(function(api, cursor, os.path.relpath(cursor.location.file.name, folder)))
+    for kind in DECLARATIONS:
+        del api[kind][:len(known[kind])]
     return api
 
 
@@ -88,10 +95,12 @@ def add_enum(api, cursor, texts):
 
 def add_type(api, cursor):
     name, words = cursor.spelling, comment.plain(cursor.raw_comment)
-    record = cursor.underlying_typedef_type.get_canonical().get_declaration()
-    if record.kind != CursorKind.STRUCT_DECL:
-        underlying = cursor.underlying_typedef_type.spelling
-        api["aliases"].append({"name": name, "type": underlying, "comment": words})
+    underlying = cursor.underlying_typedef_type
+    record = underlying.get_canonical().get_declaration()
+    if is_function(underlying):
+        add_callback(api, name, comment.of_function(cursor.raw_comment)[0], cursor, underlying.get_pointee())
+    elif record.kind != CursorKind.STRUCT_DECL:
+        api["aliases"].append({"name": name, "type": underlying.spelling, "comment": words})
     elif not record.is_definition():
         api["handles"].append({"name": name, "comment": words})
     else:
@@ -105,8 +114,10 @@ def field(api, struct, cursor):
     while inner.kind == TypeKind.CONSTANTARRAY:
         dimensions.append(inner.element_count)
         inner = inner.element_type
-    if inner.kind == TypeKind.POINTER and inner.get_pointee().get_canonical().kind == TypeKind.FUNCTIONPROTO:
-        described |= {"kind": "callback", "of": add_callback(api, struct, cursor, inner.get_pointee())}
+    if is_function(inner):  # C has no name for it; the struct and its field make one
+        name = f"{struct}_{cursor.spelling}"
+        add_callback(api, name, comment.plain(cursor.raw_comment), cursor, inner.get_pointee())
+        described |= {"kind": "callback", "of": name}
     else:
         described |= typed(api, inner)
     described["dimensions"] = dimensions
@@ -115,18 +126,20 @@ def field(api, struct, cursor):
     return described
 
 
-def add_callback(api, struct, cursor, prototype):
-    """C has no name for it; the struct and its field make one."""
-    name = f"{struct}_{cursor.spelling}"
+def is_function(c_type):
+    """Is it a pointer to a function?"""
+    return c_type.kind == TypeKind.POINTER and c_type.get_pointee().get_canonical().kind == TypeKind.FUNCTIONPROTO
+
+
+def add_callback(api, name, words, cursor, prototype):
     arguments = [child for child in cursor.get_children() if child.kind == CursorKind.PARM_DECL]
     api["callbacks"].append({
         "name": name,
-        "comment": comment.plain(cursor.raw_comment),
+        "comment": words,
         "result": {"type": prototype.get_result().spelling} | typed(api, prototype.get_result()),
         "parameters": [{"name": argument.spelling, "type": argument.type.spelling} | typed(api, argument.type)
                        for argument in arguments],
     })
-    return name
 
 
 def function(api, cursor, header):
@@ -153,7 +166,7 @@ def parameter(api, function_name, cursor, comments):
     if described["kind"] in ("pointer", "array", "bytes", "new_handle"):
         if described["const"]:
             direction = "in"
-        elif not direction and re.match(r"receives|to fill", words):
+        elif not direction and (re.match(r"receives|to fill", words) or function_name.endswith("_def_init")):
             direction = "out"
         elif not direction:
             raise Fault(f"{function_name}: does {name} only receive? Its comment must begin so, or @param say [in,out]")
@@ -166,7 +179,7 @@ def parameter(api, function_name, cursor, comments):
 def typed(api, c_type):
     """Kind of a type, what it is made `of`, and whether that is constant."""
     described = kind_of(api, c_type)
-    declared = {each["name"] for list_of in ("aliases", "handles", "structs") for each in api[list_of]}
+    declared = {each["name"] for kind in DECLARATIONS for each in api[kind]}
     if described["of"] not in TYPES | declared:
         raise Fault(f"{c_type.spelling}: not a type that all languages have; use numbers of fixed width")
     return described

@@ -1,9 +1,13 @@
 """Raw Python: ctypes structures, constants, and the types of all functions."""
+import re
+
 import versions
+from header import DECLARATIONS
 from prose import wrapped
 
 TYPES = {"int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64",
          "size_t": "c_size_t", "double": "c_double"}
+IMPORTED = sorted({"CFUNCTYPE", "POINTER", "c_char_p", "c_void_p", *TYPES.values()})
 LONGEST_LINE = 110
 
 HEAD = '''\
@@ -39,12 +43,33 @@ class _Struct(Structure):
 '''
 
 
+BESIDE_HEAD = '''\
+# Generated {generated}.
+"""The C interface {interface} as it is, for ctypes: see _raw.py."""
+from ctypes import {types}
+from typing import Any
+
+from ._raw import {known}
+'''
+
+
 def write(api):
     lines = HEAD.format_map(api).splitlines()
     lines += ["", "# Names the interface that is described here.", f'SONAME = "{versions.soname(api["version"])}"']
-    for parts in (aliases, constants, handles, callbacks, structs, declare):
+    for parts in (aliases, status_codes, constants, handles, callbacks, structs, declare):
         lines += ["", *parts(api)]
     return "\n".join(lines) + "\n"
+
+
+def write_beside(api, known):
+    """The raw Python of another header, with types of the interface `known`."""
+    written = [part(api) for part in (constants, handles, callbacks, structs, declare)]
+    text = "\n".join(line for lines in written if lines for line in ["", *lines])
+    names = ["_Struct", *(each["name"] for kind in DECLARATIONS for each in known[kind])]
+    used = [[name for name in one if re.search(rf"\b{name}\b", text)] for one in (IMPORTED, names)]
+    interface = re.search(r"halfspace/\w+\.h", api["generated"])[0]
+    types, known_types = map(", ".join, used)
+    return BESIDE_HEAD.format_map({**api, "interface": interface, "types": types, "known": known_types}) + text + "\n"
 
 
 def aliases(api):
@@ -54,15 +79,20 @@ def aliases(api):
     return lines
 
 
-def constants(api):
+def status_codes(api):
     lines = ["# Status codes."]
     for code in api["status_codes"]:
         lines += with_comment(f"{code['name']} = {code['value']}", code["text"])
+    return lines
+
+
+def constants(api):
+    lines = []
     for group in api["constants"]:
         lines += ["", *wrapped(group["comment"], "# ")]
         for each in group["constants"]:
             lines += with_comment(f"{each['name']} = {each['value']}", each["comment"])
-    return lines
+    return lines[1:]
 
 
 def callbacks(api):

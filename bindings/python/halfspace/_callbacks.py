@@ -5,7 +5,7 @@ import signal
 import threading
 from typing import Any, Callable, Optional
 
-from . import _scene
+from . import _raw_scene
 from .progress import ProgressBar
 from .world import World
 
@@ -29,9 +29,9 @@ class Callbacks:
         self._callback, self._world_at, self._stopped = callback, world_at, stopped
         self._error: Optional[BaseException] = None
         # Without a bar, too, as Python handles signals during these calls.
-        self.progress = _scene.PROGRESS(self._on_progress)
+        self.progress = _raw_scene.hs_scene_progress(self._on_progress)
         row: Any = self._on_row if callback else 0
-        self.row = _scene.ROW(row)
+        self.row = _raw_scene.hs_scene_row(row)
         self._where = ""
         self._is_calling = False
         self._handler: Any = None  # of Ctrl-C, before

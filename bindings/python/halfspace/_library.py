@@ -7,7 +7,7 @@ from __future__ import annotations
 import ctypes
 import os
 import pathlib
-from typing import Any, Iterable, Iterator, Mapping, Tuple
+from typing import Iterable, Iterator
 
 from . import _raw
 
@@ -42,13 +42,6 @@ def open_first(paths: Iterable[str], content: str) -> ctypes.CDLL:
         except OSError as error:
             failures.append(str(error))
     raise ImportError(f"halfspace: no library of {content}:\n  " + "\n  ".join(failures))
-
-
-def declare_functions(found: ctypes.CDLL, prefix: str, functions: Mapping[str, Tuple[Any, ...]]) -> None:
-    """Declares functions of a library, by their names without prefix: the types of the result and the arguments."""
-    for name, (result, *arguments) in functions.items():
-        function = getattr(found, prefix + name)
-        function.restype, function.argtypes = result, arguments
 
 
 def _check_version(library: ctypes.CDLL, path: str) -> None:

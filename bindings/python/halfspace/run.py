@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Union, ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _scene
+from . import _raw, _scene
 from ._library import library
 from .block_arrays import BlockArrays
 from .context import held
@@ -164,8 +164,7 @@ class Runs(BlockArrays):
         origin = None if start is None else np.ascontiguousarray(start, np.float64)
         if origin is not None and origin.shape != (len(self), 7):
             raise ValueError(f"start has the shape {origin.shape}; it must be ({len(self)}, 7)")
-        address = None if origin is None else ctypes.c_void_p(origin.ctypes.data)
+        poses = None if origin is None else origin.ctypes.data_as(ctypes.POINTER(_raw.hs_pose))
         with held(self):
-            _scene.SceneHandle().call(
-                "write_vtk", self._keeper.pointer, self._alive, address, os.fsencode(file), beside
-            )
+            given = self._keeper.pointer, self._alive, poses
+            _scene.SceneHandle().call("write_vtk", *given, os.fsencode(file), beside)

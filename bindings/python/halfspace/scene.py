@@ -8,7 +8,7 @@ import pathlib
 import re
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
-from . import _raw, _scene
+from . import _raw, _raw_scene, _scene
 from ._callbacks import Callback, Callbacks
 from ._toml import Settings, settings_of, toml_text
 from .context import Context, default_context
@@ -56,7 +56,7 @@ class Scene(Searches):
         encoded = [setting.encode() for setting in self._settings]
         given = (ctypes.c_char_p * len(encoded))(*encoded)
         self._handle.call("read", self._bytes, len(self._bytes), os.fsencode(self._file), given, len(encoded))
-        self._properties = _scene.hs_scene_properties()
+        self._properties = _raw_scene.hs_scene_properties()
         self._handle.call("get_properties", ctypes.byref(self._properties))
 
     @classmethod
@@ -123,7 +123,7 @@ class Scene(Searches):
     @property
     def text(self) -> str:
         """The scene as TOML. With settings it is written anew, without comments."""
-        return self._handle.text(_scene.TEXT_TOML)
+        return self._handle.text(_raw_scene.HS_SCENE_TEXT_TOML)
 
     @property
     def dimension(self) -> int:
@@ -155,7 +155,7 @@ class Scene(Searches):
         """Returns the notes of ``halfspace check``: legal but unusual input, a line each."""
         with self._in(None) as (_, context):
             self._handle.call("make_world", context, None)
-            return self._handle.text(_scene.TEXT_NOTES).splitlines()
+            return self._handle.text(_raw_scene.HS_SCENE_TEXT_NOTES).splitlines()
 
     def world(self, *, context: Optional[Context] = None) -> World:
         """Returns the world at the start of the scene.
@@ -214,8 +214,8 @@ class Scene(Searches):
             progress, callback, scene._worlds_in(owner), scene._stopped
         ) as calls:
             start = None if resume_from is None else os.fsencode(resume_from)
-            definition = _scene.hs_scene_run_def(os.fsencode(directory), replace, start, calls.progress, calls.row)
-            found, pointer = _scene.hs_scene_run_result(), ctypes.POINTER(_raw.hs_world)()
+            definition = _raw_scene.hs_scene_run_def(os.fsencode(directory), replace, start, calls.progress, calls.row)
+            found, pointer = _raw_scene.hs_scene_run_result(), ctypes.POINTER(_raw.hs_world)()
             scene._handle.call("run", address, ctypes.byref(definition), ctypes.byref(found), ctypes.byref(pointer))
             world = scene._owned(owner, pointer)
             calls.end(ENDS[found.end])
@@ -230,7 +230,7 @@ class Scene(Searches):
                 largest_overlap=found.largest_overlap,
                 energy_residual=found.energy_residual,
                 history=read_history(pathlib.Path(directory) / "history.csv"),
-                summary=scene._handle.text(_scene.TEXT_REPORT),
+                summary=scene._handle.text(_raw_scene.HS_SCENE_TEXT_REPORT),
                 notes=world.check(),
                 directory=None if output is None else pathlib.Path(output),
             )
@@ -271,7 +271,7 @@ class Scene(Searches):
     def _owned(self, owner: Context, pointer: Any) -> World:
         world = World._of(owner, pointer, self.dimension)
         world._names = self._names_of(world)
-        world._notes_of_scene = self._handle.text(_scene.TEXT_NOTES).splitlines()
+        world._notes_of_scene = self._handle.text(_raw_scene.HS_SCENE_TEXT_NOTES).splitlines()
         return world
 
     def _worlds_in(self, owner: Context) -> Callable[[Any], World]:
@@ -288,13 +288,13 @@ class Scene(Searches):
         return world_at
 
     def _names_of(self, world: World) -> Dict[int, str]:
-        return dict(zip(map(int, world.blocks), self._handle.text(_scene.TEXT_NAMES).splitlines()))
+        return dict(zip(map(int, world.blocks), self._handle.text(_raw_scene.HS_SCENE_TEXT_NAMES).splitlines()))
 
     def _raise_trouble(self, end: str) -> None:
         kinds = {"unstable": (UnstableError, _raw.HS_ERROR_UNSTABLE), "too fast": (TooFastError, _raw.HS_ERROR_TOO_FAST)}
         if end in kinds:
             kind, status = kinds[end]
-            raise kind(status, self._handle.text(_scene.TEXT_TROUBLE))
+            raise kind(status, self._handle.text(_raw_scene.HS_SCENE_TEXT_TROUBLE))
 
 
 def shapes_of(tables: Mapping[str, Any], context: Optional[Context] = None) -> List[Shape]:

@@ -9,7 +9,7 @@ import tempfile
 import threading
 from typing import Any, ContextManager, Iterator, Mapping, Optional, Tuple, Union
 
-from . import _scene
+from . import _raw_scene, _scene
 from ._callbacks import Callbacks
 from .context import Context
 from .results import LimitResult, SafetyResult
@@ -62,7 +62,7 @@ class Searches:
         with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(
             progress, stopped=self._stopped
         ) as calls:
-            definition = _scene.hs_scene_safety_def(
+            definition = _raw_scene.hs_scene_safety_def(
                 low, high, resolution, limit, os.fsencode(directory), replace, resume, calls.progress
             )
             return SafetyResult(*self._search("find_safety", address, definition, calls))
@@ -132,15 +132,15 @@ class Searches:
         """
         if bool(tilt) + bool(loads) + (values is not None) != 1:
             raise ValueError("one of tilt, loads and values must be given")
-        varied, name = _scene.VARY_TILT if tilt else _scene.VARY_LOADS, tilt or loads
+        varied, name = _raw_scene.HS_SCENE_VARY_TILT if tilt else _raw_scene.HS_SCENE_VARY_LOADS, tilt or loads
         if values is not None:
             if low is not None or high is not None:
                 raise ValueError("low and high: the bracket of a key is its value")
-            varied, (name, low, high) = _scene.VARY_SETTING, _bracket_of(values)
+            varied, (name, low, high) = _raw_scene.HS_SCENE_VARY_SETTING, _bracket_of(values)
         with output_directory(output) as directory, self._in(context) as (_, address), Callbacks(
             progress, stopped=self._stopped
         ) as calls:
-            definition = _scene.hs_scene_limit_def(
+            definition = _raw_scene.hs_scene_limit_def(
                 varied,
                 smallest,
                 name.encode() if isinstance(name, str) else None,
@@ -157,10 +157,10 @@ class Searches:
 
     def _search(self, function: str, address: Any, definition: Any, calls: Callbacks) -> Tuple[str, float, float, str]:
         """End, bracket and report of a search."""
-        found = _scene.hs_scene_search_result()
+        found = _raw_scene.hs_scene_search_result()
         self._handle.call(function, address, ctypes.byref(definition), ctypes.byref(found))
         calls.end(ENDS[found.end])
-        return ENDS[found.end], found.stable, found.falls, self._handle.text(_scene.TEXT_REPORT)
+        return ENDS[found.end], found.stable, found.falls, self._handle.text(_raw_scene.HS_SCENE_TEXT_REPORT)
 
 
 def _bracket_of(values: Mapping[str, Tuple[float, float]]) -> Tuple[str, float, float]:
