@@ -31,6 +31,13 @@ def struct_of(value: Any, kind: Any, name: str) -> Any:
     return value._as_struct()
 
 
+def shaped(array: NDArray[Any], name: str, *shapes: Tuple[int, ...]) -> NDArray[Any]:
+    """An array of one of these shapes. Raises ValueError for another one."""
+    if array.shape not in shapes:
+        raise ValueError(f"{name} has the shape {array.shape}; it must be {' or '.join(map(str, shapes))}")
+    return array
+
+
 def require_above_0(**sizes: Any) -> None:
     """Refuses sizes that are not above 0 and finite, by their names."""
     for name, size in sizes.items():
@@ -118,9 +125,7 @@ def gravity_vector(gravity: ArrayLike, dimension: int) -> Any:
 
 def tensor(values: ArrayLike, name: str) -> Any:
     """Nine doubles for C, row by row; 2 x 2 values are completed by 0."""
-    array = floats(values, name)
-    if array.shape not in ((2, 2), (3, 3)):
-        raise ValueError(f"{name} has the shape {array.shape}; it must be (2, 2) or (3, 3)")
+    array = shaped(floats(values, name), name, (2, 2), (3, 3))
     whole = np.zeros((3, 3))
     whole[: len(array), : len(array)] = array
     return (ctypes.c_double * 9)(*whole.ravel())
@@ -141,6 +146,12 @@ def indices(values: ArrayLike, name: str) -> NDArray[np.int32]:
     if array is not given and not np.array_equal(array, given):
         raise ValueError(f"{name} must be 32-bit integers")
     return array
+
+
+def counted(values: ArrayLike, name: str) -> Tuple[Any, int]:
+    """Indices, and their number, as functions of the library take them."""
+    array = indices(values, name).ravel()
+    return array.ctypes.data_as(ctypes.c_void_p), array.size
 
 
 def index(value: SupportsIndex, name: str) -> int:

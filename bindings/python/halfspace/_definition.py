@@ -11,6 +11,14 @@ from ._choice import choice
 _Struct = TypeVar("_Struct")
 
 
+def filled(struct: _Struct, initialise: Callable[..., Any], *arguments: Any, **values: Any) -> _Struct:
+    """A struct with the library's defaults, but for these values of its fields."""
+    initialise(ctypes.byref(struct), ctypes.sizeof(struct), *arguments)  # type: ignore[arg-type]
+    for name, value in values.items():
+        setattr(struct, name, value)
+    return struct
+
+
 @dataclasses.dataclass(frozen=True)
 class Definition:
     """Settings with the names of the struct that they fill."""
@@ -22,7 +30,4 @@ class Definition:
                 object.__setattr__(self, field.name, value)
 
     def _filled(self, struct: _Struct, initialise: Callable[..., Any]) -> _Struct:
-        initialise(ctypes.byref(struct), ctypes.sizeof(struct))  # type: ignore[arg-type]
-        for field in dataclasses.fields(self):
-            setattr(struct, field.name, getattr(self, field.name))
-        return struct
+        return filled(struct, initialise, **vars(self))

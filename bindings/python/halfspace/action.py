@@ -1,15 +1,15 @@
 """Motions and loads in time: tables that blocks and nodes follow, force control, and held axes."""
 from __future__ import annotations
 
-import ctypes
 from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import block_id, index, indices, turns_view_of, vector, view_of
+from ._arrays import block_id, counted, index, tensor, turns_view_of, vector, view_of
 from ._choice import choice
+from ._definition import filled
 from ._library import library
 from .constants import ActionKind, ForcePlace
 from .definition import Definitions
@@ -41,11 +41,7 @@ class ActedOn(Definitions):
             rows = np.repeat(rows[:, None], 3, axis=1)
         if moments.shape != (len(rows),):
             raise ValueError(f"times has the shape {moments.shape}; values has {len(rows)} rows")
-        table = ctypes.c_int32()
-        self._call(
-            library.hs_world_add_table, moments.ctypes.data, view_of(rows, 2, "values"), ctypes.byref(table)
-        )
-        return table.value
+        return self._value(library.hs_world_add_table, moments.ctypes.data, view_of(rows, 2, "values"))
 
     def act(
         self,
@@ -107,14 +103,12 @@ class ActedOn(Definitions):
         scales : array_like
             Of shape (n, dimension): factors of each node, e.g. its share of the area of a traction.
         """
-        names = indices(nodes, "nodes").ravel()
+        names, count = counted(nodes, "nodes")
         factors = view_of(scales, self.dimension, "scales")
-        if factors.count != len(names):
-            raise ValueError(f"scales has {factors.count} rows; there are {len(names)} nodes")
+        if factors.count != count:
+            raise ValueError(f"scales has {factors.count} rows; there are {count} nodes")
         definition = self._action(kind, table, start)
-        self._call(
-            library.hs_world_add_node_action, block_id(body, "body"), names.ctypes.data, factors, definition
-        )
+        self._call(library.hs_world_add_node_action, block_id(body, "body"), names, factors, definition)
 
     def end_node_actions(self, body: int) -> None:
         """Ends all actions on the nodes of a body."""
@@ -128,19 +122,8 @@ class ActedOn(Definitions):
         viscosity : array_like
             Of each node, of shape (dimension, dimension), symmetric, N s/m; 0 removes the dashpots.
         """
-        names = indices(nodes, "nodes").ravel()
-        components = np.zeros((3, 3))
-        given = np.asarray(viscosity, np.float64)
-        if given.shape not in ((2, 2), (3, 3)):
-            raise ValueError(f"viscosity has the shape {given.shape}; it must be (2, 2) or (3, 3)")
-        components[: len(given), : len(given)] = given
-        self._call(
-            library.hs_world_set_node_viscosity,
-            block_id(body, "body"),
-            names.ctypes.data,
-            len(names),
-            (ctypes.c_double * 9)(*components.ravel()),
-        )
+        given = block_id(body, "body"), *counted(nodes, "nodes")
+        self._call(library.hs_world_set_node_viscosity, *given, tensor(viscosity, "viscosity"))
 
     def hold(self, block: int, axes: str) -> None:
         """Holds axes of a rigid block: its velocity along them stays, whatever the forces.
@@ -179,10 +162,8 @@ class ActedOn(Definitions):
         carried: bool = True,
         max_speed: float = 0.0,
     ) -> Any:
-        struct = _raw.hs_action_def()
-        library.hs_action_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
+        struct = filled(_raw.hs_action_def(), library.hs_action_def_init, start=start, max_speed=max_speed)
         struct.kind, struct.table = choice(kind, ActionKind, "kind"), index(table, "table")
-        struct.start, struct.max_speed = start, max_speed
         factors = np.asarray(scale, np.float64)
         struct.scale[:] = [float(factors)] * 3 if factors.ndim == 0 else vector(factors, "scale")[:]
         if at is not None:

@@ -44,12 +44,8 @@ class AffineBlocks(BlockArrays):
         """Sets the deformation gradient of an affine block, with a determinant > 0, and its rate, 1/s; by default 0.
         Centroid and velocity do not change."""
         speed = np.zeros((3, 3)) if rate is None else rate
-        self._call(
-            library.hs_world_set_deformation,
-            block_id(block, "block"),
-            tensor(gradient, "gradient"),
-            tensor(speed, "rate"),
-        )
+        tensors = tensor(gradient, "gradient"), tensor(speed, "rate")
+        self._call(library.hs_world_set_deformation, block_id(block, "block"), *tensors)
 
     def set_stress(self, block: int, stress: ArrayLike) -> None:
         """Sets the current Cauchy stress of an affine block, e.g. the in situ stress; symmetric, Pa, tension > 0.
@@ -71,12 +67,8 @@ class AffineBlocks(BlockArrays):
             Force per area of the face as it was given, Pa.
         """
         self._given.beyond_scenes.add("surface loads")
-        self._call(
-            library.hs_world_add_surface_load,
-            block_id(block, "block"),
-            index(face, "face"),
-            vector(traction, "traction"),
-        )
+        load = index(face, "face"), vector(traction, "traction")
+        self._call(library.hs_world_add_surface_load, block_id(block, "block"), *load)
 
     def clear_surface_loads(self, block: int) -> None:
         """Removes all surface loads of an affine block."""

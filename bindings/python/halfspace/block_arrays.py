@@ -1,7 +1,6 @@
 """Arrays of all blocks of a world."""
 from __future__ import annotations
 
-import ctypes
 from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
@@ -40,9 +39,7 @@ class BlockArrays(Handle):
         return self._dimension
 
     def __len__(self) -> int:
-        count = ctypes.c_int64()
-        self._call(library.hs_world_get_blocks, None, 0, ctypes.byref(count))
-        return count.value
+        return self._value(library.hs_world_get_blocks, None, 0)
 
     @property
     def blocks(self) -> NDArray[np.uint64]:

@@ -1,13 +1,11 @@
 """Bolts and cables: lines between two places that blocks carry, or between a block and the ground."""
 from __future__ import annotations
 
-import ctypes
 import operator
-from typing import Any, Optional
+from typing import Optional
 
 from numpy.typing import ArrayLike
 
-from . import _raw
 from ._arrays import block_id, struct_of, vector
 from ._library import library
 from ._record import Records
@@ -29,10 +27,8 @@ class BoltedBlocks(BondedBlocks):
         struct.block_b = 0 if block_b is None else block_id(block_b, "block_b")
         struct.place_a[:] = vector(place_a, "place_a")[:]
         struct.place_b[:] = vector(place_b, "place_b")[:]
-        number = ctypes.c_int64()
         self._given.beyond_scenes.add("bolts")
-        self._call(library.hs_world_add_bolt, struct, ctypes.byref(number))
-        return number.value
+        return self._value(library.hs_world_add_bolt, struct)
 
     def add_bolt_at(self, bolt: Bolt, place_a: ArrayLike, place_b: ArrayLike) -> int:
         """The same between the blocks that contain the places; a place outside of all blocks is on the ground."""
@@ -48,6 +44,4 @@ class BoltedBlocks(BondedBlocks):
 
     def block_at(self, place: ArrayLike) -> Optional[int]:
         """Returns the block in which a place is deepest; None if it is outside of all blocks."""
-        block: Any = _raw.hs_block()
-        self._call(library.hs_world_get_block_at, vector(place, "place"), ctypes.byref(block))
-        return block.value or None
+        return self._value(library.hs_world_get_block_at, vector(place, "place")) or None

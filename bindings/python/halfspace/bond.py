@@ -1,8 +1,6 @@
 """Bonds: breakable connections of blocks along their common faces."""
 from __future__ import annotations
 
-import ctypes
-
 from ._arrays import block_id, index, struct_of
 from ._library import library
 from ._record import Records
@@ -18,30 +16,20 @@ class BondedBlocks(Bodies):
     def bond_blocks(self, block_a: int, block_b: int, bond: Bond) -> None:
         """Bonds two blocks along their common faces in their current positions: every pair of faces that is coplanar
         to rounding."""
-        self._call(
-            library.hs_world_bond_blocks,
-            block_id(block_a, "block_a"),
-            block_id(block_b, "block_b"),
-            struct_of(bond, Bond, "bond"),
-        )
+        blocks = block_id(block_a, "block_a"), block_id(block_b, "block_b")
+        self._call(library.hs_world_bond_blocks, *blocks, struct_of(bond, Bond, "bond"))
         self._given.bonds[f"bond_blocks({block_a}, {block_b})"] = bond
 
     def bond_materials(self, material_a: int, material_b: int, bond: Bond) -> int:
         """Bonds all pairs of blocks of two materials, which may be the same, along their common faces. Returns the
         number of bonds made."""
-        count = ctypes.c_int64()
-        self._call(
-            library.hs_world_bond_materials,
-            index(material_a, "material_a"),
-            index(material_b, "material_b"),
-            struct_of(bond, Bond, "bond"),
-            ctypes.byref(count),
-        )
+        materials = index(material_a, "material_a"), index(material_b, "material_b")
+        count = self._value(library.hs_world_bond_materials, *materials, struct_of(bond, Bond, "bond"))
         name = f"bond_materials({material_a}, {material_b})"
         self._given.bonds[name] = bond
-        if count.value == 0:
+        if count == 0:
             self._given.empty_bonds.append(name)
-        return count.value
+        return count
 
     def hold_bonds(self, are_held: bool = True) -> None:
         """Suspends (True) or resumes (False) the failure of all bonds."""

@@ -1,6 +1,7 @@
 """Unusual settings of a world that are allowed."""
 from __future__ import annotations
 
+import copy
 import ctypes
 import dataclasses
 from typing import TYPE_CHECKING, Dict, Iterator, List, Set
@@ -47,11 +48,7 @@ class Given:
         self.is_of_snapshot = True  # which may have had any of these
 
     def copy(self) -> "Given":
-        other = Given()
-        other.held, other.bonds = dict(self.held), dict(self.bonds)
-        other.empty_bonds, other.beyond_scenes = list(self.empty_bonds), set(self.beyond_scenes)
-        other.is_of_snapshot = self.is_of_snapshot
-        return other
+        return copy.deepcopy(self)
 
 
 def notes_on_values(world: "World") -> Iterator[str]:

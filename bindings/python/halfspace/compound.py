@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw
-from ._arrays import as_pose, block_id, index, pose, turn_vector, vector
+from ._arrays import as_pose, block_id, index, pose, shaped, turn_vector, vector
 from ._choice import choice
 from ._library import library
 from .constants import BlockKind
-from .context import held
+from .context import held, pointers_of
 from .query import QueriedBlocks
 from .shape import Shape
 
@@ -87,29 +87,17 @@ class CompoundBlocks(QueriedBlocks):
         owners = tuple(shapes)  # a copy, as the sequence may change
         if len(owners) == 0:
             raise ValueError("shapes is empty; a compound has at least one part")
-        places = None if poses is None else np.ascontiguousarray(poses, np.float64)
-        if places is not None and places.shape != (len(owners), 7):
-            raise ValueError(f"poses has the shape {places.shape}; it must be ({len(owners)}, 7)")
-        definition, block = _raw.hs_block_def(), ctypes.c_uint64()
+        places = None
+        if poses is not None:
+            places = shaped(np.ascontiguousarray(poses, np.float64), "poses", (len(owners), 7))
+        definition = _raw.hs_block_def()
         with held(self, *owners):
-            handles = (ctypes.c_void_p * len(owners))(
-                *(ctypes.cast(shape._alive, ctypes.c_void_p).value for shape in owners)
-            )
-            given = None if places is None else places.ctypes.data
-            owners[0]._keeper.call(
-                library.hs_compound_def_init,
-                ctypes.byref(definition),
-                ctypes.sizeof(definition),
-                handles,
-                given,
-                len(owners),
-            )
+            given = pointers_of(owners), None if places is None else places.ctypes.data, len(owners)
+            initialise = library.hs_compound_def_init
+            owners[0]._keeper.call(initialise, ctypes.byref(definition), ctypes.sizeof(definition), *given)
             set_start(definition, position, angle, rotation, kind, material, velocity, angular_velocity)
             self._given.beyond_scenes.add("compounds")
-            self._call(
-                library.hs_world_add_compound, handles, given, len(owners), definition, ctypes.byref(block)
-            )
-        return block.value
+            return self._value(library.hs_world_add_compound, *given, definition)
 
     def compound_parts(self, block: int) -> Any:
         """Returns the ids of the parts of a compound, in the order of its shapes; none for other blocks."""
@@ -117,11 +105,4 @@ class CompoundBlocks(QueriedBlocks):
 
     def compound_of_block(self, block: int) -> Tuple[int, int]:
         """Returns the compound and the index of a part; 0 and -1 for a block that is none."""
-        compound, part = ctypes.c_uint64(), ctypes.c_int32()
-        self._call(
-            library.hs_world_get_compound_of_block,
-            block_id(block, "block"),
-            ctypes.byref(compound),
-            ctypes.byref(part),
-        )
-        return compound.value, part.value
+        return self._whole_of(library.hs_world_get_compound_of_block, block)

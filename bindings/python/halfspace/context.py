@@ -5,7 +5,7 @@ import contextlib
 import ctypes
 import threading
 import weakref
-from typing import Any, Callable, ContextManager, Iterable, Iterator, List, Optional, Tuple, Type, TypeVar
+from typing import Any, Callable, ContextManager, Iterable, Iterator, List, Optional, Sequence, Tuple, Type, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,6 +91,12 @@ class _Caller:
 
     def _call(self, function: Callable[..., int], *arguments: Any) -> int:
         raise NotImplementedError
+
+    def _value(self, function: Any, *arguments: Any) -> int:
+        """The number that a function returns by its last argument."""
+        value = function.argtypes[-1]._type_()
+        self._call(function, *arguments, ctypes.byref(value))
+        return int(value.value)
 
     def _record(self, kind: Type[AnyRecord], function: Any, *arguments: Any) -> AnyRecord:
         """The record that a function fills: its last argument, but for the size of those that may grow."""
@@ -254,6 +260,11 @@ def made(context: Optional[Context], make: Any, *arguments: Any, behind: Tuple[A
         pointer = make.argtypes[len(arguments) + 1]._type_()
         owner._call(make, *arguments, ctypes.byref(pointer), *behind)
         yield owner, pointer
+
+
+def pointers_of(handles: Sequence[Handle]) -> Any:
+    """The pointers of handles that are held, for C."""
+    return (ctypes.c_void_p * len(handles))(*(ctypes.cast(each._alive, ctypes.c_void_p).value for each in handles))
 
 
 def held(*handles: Handle) -> ContextManager[Any]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _raw
 from ._arrays import block_id, index, mutable_view_of
+from ._definition import filled
 from ._library import library
 from ._record import Records
 from .block_arrays import Floats
@@ -94,9 +95,7 @@ class Definitions(Statics):
 
     def _chosen_settings(self) -> Dict[str, Any]:
         """Those that are not the default."""
-        struct = _raw.hs_world_def()
-        library.hs_world_def_init(ctypes.byref(struct), ctypes.sizeof(struct), self.dimension)
-        defaults = _settings_of(struct)
+        defaults = _settings_of(filled(_raw.hs_world_def(), library.hs_world_def_init, self.dimension))
         return {name: value for name, value in self.definition.items() if value != defaults[name]}
 
     @property

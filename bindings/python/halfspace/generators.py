@@ -110,16 +110,6 @@ def triangulated(
     return _rock(2, "triangulated", context, {**corners, "count": count, "jitter": jitter, "seed": seed})
 
 
-def _box(low: ArrayLike, size: Sequence[float], context: Optional[Context]) -> Shape:
-    first, last = np.asarray(low, np.float64), np.add(low, size)
-    if len(size) == 2:
-        (a, b), (c, d) = first, last
-        return Shape.polygon([(a, b), (c, b), (c, d), (a, d)], context=context)
-    signs = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
-    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
-    return Shape.polyhedron(np.where(signs, last, first), faces, context=context)
-
-
 def stack(
     size: Sequence[float], count: int, *, at: ArrayLike = (0, 0), context: Optional[Context] = None
 ) -> List[Shape]:
@@ -149,7 +139,7 @@ def stack(
     low = foot - 0.5 * np.asarray(size)
     low[-1] = foot[-1]
     up = np.eye(len(size))[-1] * size[-1]
-    return [_box(low + i * up, size, context) for i in range(count)]
+    return [Shape._between(low + i * up, low + i * up + size, context) for i in range(count)]
 
 
 def wall(
@@ -192,7 +182,7 @@ def wall(
             low = corner.copy()
             low[0] += first
             low[-1] += course * brick[-1]
-            blocks.append(_box(low, [last - first, *brick[1:]], context))
+            blocks.append(Shape._between(low, low + [last - first, *brick[1:]], context))
     return blocks
 
 

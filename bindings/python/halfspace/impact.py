@@ -1,7 +1,6 @@
 """Time of impact of two moving shapes."""
 from __future__ import annotations
 
-import ctypes
 import dataclasses
 from typing import Optional
 
@@ -9,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from . import _raw
 from ._arrays import as_pose, struct_of, tensor, turn_vector, vector
+from ._definition import filled
 from ._library import library
 from .context import held
 from .records import Impact
@@ -50,16 +50,11 @@ class Motion:
     gradient_rate: Optional[ArrayLike] = None
 
     def _as_struct(self) -> _raw.hs_motion_def:
-        struct = _raw.hs_motion_def()
-        library.hs_motion_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.start = as_pose(self.start, "start")
-        struct.velocity = vector(self.velocity, "velocity")
-        struct.angular_velocity = turn_vector(self.angular_velocity, "angular_velocity")
-        if self.gradient is not None:
-            struct.gradient = tensor(self.gradient, "gradient")
-        if self.gradient_rate is not None:
-            struct.gradient_rate = tensor(self.gradient_rate, "gradient_rate")
-        return struct
+        start, velocity = as_pose(self.start, "start"), vector(self.velocity, "velocity")
+        motion = dict(velocity=velocity, angular_velocity=turn_vector(self.angular_velocity, "angular_velocity"))
+        gradients = dict(gradient=self.gradient, gradient_rate=self.gradient_rate)
+        given = {name: tensor(value, name) for name, value in gradients.items() if value is not None}
+        return filled(_raw.hs_motion_def(), library.hs_motion_def_init, start=start, **motion, **given)
 
 
 def pair_time_of_impact(

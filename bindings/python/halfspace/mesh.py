@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import block_id, index, indices, mutable_view_of, pose, tensor, vector, view_of
+from ._arrays import as_pose, block_id, counted, index, indices, mutable_view_of, pose, tensor, vector, view_of
 from ._choice import choice
+from ._definition import filled
 from ._library import library
 from ._record import Records
 from .affine import AffineBlocks
@@ -163,25 +164,15 @@ class Bodies(AffineBlocks):
         int
             Id of the body.
         """
-        struct = _raw.hs_body_def()
-        library.hs_body_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.material = index(material, "material")
-        place = pose((0, 0) if position is None else position, angle, rotation=rotation)
-        struct.pose.position[:], struct.pose.rotation[:] = place[:3], place[3:]
-        struct.velocity[:] = vector(velocity, "velocity")
+        struct = filled(_raw.hs_body_def(), library.hs_body_def_init, material=index(material, "material"))
+        struct.pose = as_pose(pose((0, 0) if position is None else position, angle, rotation=rotation), "pose")
+        struct.velocity = vector(velocity, "velocity")
         materials = None if cell_materials is None else indices(cell_materials, "cell_materials")
         if materials is not None and materials.shape != (mesh.cell_count,):
             raise ValueError(f"cell_materials has the shape {materials.shape}; the mesh has {mesh.cell_count} cells")
-        body = ctypes.c_uint64()
         with held(self, mesh):
-            self._call(
-                library.hs_world_add_mesh,
-                mesh._alive,
-                ctypes.byref(struct),
-                None if materials is None else materials.ctypes.data,
-                ctypes.byref(body),
-            )
-        return body.value
+            given = mesh._alive, struct, None if materials is None else materials.ctypes.data
+            return self._value(library.hs_world_add_mesh, *given)
 
     def remove_body(self, body: int) -> None:
         """Removes a body and its surface blocks from the world; its id becomes stale."""
@@ -193,11 +184,13 @@ class Bodies(AffineBlocks):
 
     def body_of_block(self, block: int) -> Tuple[int, int]:
         """Returns the body and the index of the cell of a surface block; 0 and -1 for a block of another kind."""
-        body, cell = ctypes.c_uint64(), ctypes.c_int32()
-        self._call(
-            library.hs_world_get_body_of_block, block_id(block, "block"), ctypes.byref(body), ctypes.byref(cell)
-        )
-        return body.value, cell.value
+        return self._whole_of(library.hs_world_get_body_of_block, block)
+
+    def _whole_of(self, function: Any, block: int) -> Tuple[int, int]:
+        """What a block is part of, and the index of the part."""
+        whole, part = ctypes.c_uint64(), ctypes.c_int32()
+        self._call(function, block_id(block, "block"), ctypes.byref(whole), ctypes.byref(part))
+        return whole.value, part.value
 
     def _of_nodes(self, function: Any, body: int, name: str) -> Floats:
         with held(self):
@@ -220,11 +213,8 @@ class Bodies(AffineBlocks):
 
     def set_node_velocities(self, body: int, velocities: ArrayLike) -> None:
         """Sets the velocities of all nodes, m/s, shape (n, dimension), including held nodes."""
-        self._call(
-            library.hs_world_set_node_velocities,
-            block_id(body, "body"),
-            view_of(velocities, self.dimension, "velocities"),
-        )
+        view = view_of(velocities, self.dimension, "velocities")
+        self._call(library.hs_world_set_node_velocities, block_id(body, "body"), view)
 
     def hold_nodes(
         self, body: int, nodes: ArrayLike, axes: str = "xyz", velocity: ArrayLike = (0, 0, 0)
@@ -243,31 +233,18 @@ class Bodies(AffineBlocks):
         velocity : array_like
             m/s; components along other axes are ignored.
         """
-        names = indices(nodes, "nodes").ravel()
+        given = block_id(body, "body"), *counted(nodes, "nodes")
         if set(axes) - set("xyz"):
             raise ValueError(f'axes is "{axes}"; it must consist of x, y and z')
         bits = sum(1 << "xyz".index(axis) for axis in set(axes) & set("xyz"[: self.dimension]))
-        self._call(
-            library.hs_world_hold_nodes,
-            block_id(body, "body"),
-            names.ctypes.data,
-            len(names),
-            bits,
-            vector(velocity, "velocity"),
-        )
+        self._call(library.hs_world_hold_nodes, *given, bits, vector(velocity, "velocity"))
         body = int(body)
         self._given.held[body] = "".join(set(self._given.held.get(body, "")) | set(axes)) if axes else ""
 
     def set_node_force(self, body: int, nodes: ArrayLike, force: ArrayLike) -> None:
         """Sets the external force on each of these nodes, N, until set again."""
-        names = indices(nodes, "nodes").ravel()
-        self._call(
-            library.hs_world_set_node_force,
-            block_id(body, "body"),
-            names.ctypes.data,
-            len(names),
-            vector(force, "force"),
-        )
+        given = block_id(body, "body"), *counted(nodes, "nodes")
+        self._call(library.hs_world_set_node_force, *given, vector(force, "force"))
 
     def remove_cells(self, body: int, cells: ArrayLike) -> Floats:
         """Removes cells of a body (excavation). Indices of the other cells and nodes do not change.
@@ -277,16 +254,10 @@ class Bodies(AffineBlocks):
         array, shape (n, dimension)
             The force that these cells exerted on each node, N, to be applied by `set_node_force` and reduced gradually.
         """
-        names = indices(cells, "cells").ravel()
+        given = block_id(body, "body"), *counted(cells, "cells")
         with held(self):
             released = np.zeros((int(self.body_state(body).node_count), self.dimension))
-            self._call(
-                library.hs_world_remove_cells,
-                block_id(body, "body"),
-                names.ctypes.data,
-                len(names),
-                mutable_view_of(released, self.dimension, "released"),
-            )
+            self._call(library.hs_world_remove_cells, *given, mutable_view_of(released, self.dimension, "released"))
         return released
 
     def set_body_stress(self, body: int, stress: ArrayLike, gradient: Optional[ArrayLike] = None) -> None:
@@ -310,12 +281,8 @@ class Bodies(AffineBlocks):
             slopes = np.zeros((3, 3, 3))
             for axis, along in enumerate(given):
                 slopes[axis] = np.reshape(tensor(along, f"gradient[{axis}]"), (3, 3))
-        self._call(
-            library.hs_world_set_body_stress,
-            block_id(body, "body"),
-            at_origin,
-            None if slopes is None else slopes.ctypes.data,
-        )
+        linear = None if slopes is None else slopes.ctypes.data
+        self._call(library.hs_world_set_body_stress, block_id(body, "body"), at_origin, linear)
 
     def cells(self, body: int) -> Records:
         """Returns strain and stress of a body's cells: an array of `CELL_STATE`, whose ``["stress"]`` has the shape

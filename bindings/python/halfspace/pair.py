@@ -1,17 +1,17 @@
 """Contact detection of one pair or many pairs, for hosts with their own bodies."""
 from __future__ import annotations
 
-import ctypes
 from typing import Any, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
-from ._arrays import as_pose, indices
+from ._arrays import as_pose, indices, shaped
+from ._definition import filled
 from ._library import library
 from ._record import Records
-from .context import held
+from .context import held, pointers_of
 from .records import CONTACT, PAIR_CACHE, Contact
 from .shape import Shape
 
@@ -40,15 +40,9 @@ def _options(
 ) -> Any:
     if parallel_angle is None and vertex_zone is None and margin == 0 and not without_region:
         return None
-    options = _raw.hs_pair_options()
-    library.hs_pair_options_init(ctypes.byref(options), ctypes.sizeof(options))
-    if parallel_angle is not None:
-        options.parallel_angle = parallel_angle
-    if vertex_zone is not None:
-        options.vertex_zone = vertex_zone
-    options.margin = margin
-    options.without_region = without_region
-    return ctypes.byref(options)
+    given = dict(parallel_angle=parallel_angle, vertex_zone=vertex_zone, margin=margin, without_region=without_region)
+    chosen = {name: value for name, value in given.items() if value is not None}
+    return filled(_raw.hs_pair_options(), library.hs_pair_options_init, **chosen)
 
 
 def pair_detect(
@@ -143,9 +137,7 @@ def pairs_detect(
         One contact per pair; the `type` of separated pairs is 0.
     """
     owners = tuple(shapes)  # a copy, as the sequence may change
-    places = np.ascontiguousarray(poses, np.float64)
-    if places.shape != (len(owners), 7):
-        raise ValueError(f"poses has the shape {places.shape}; it must be ({len(owners)}, 7)")
+    places = shaped(np.ascontiguousarray(poses, np.float64), "poses", (len(owners), 7))
     bodies = indices(pairs, "pairs")
     if bodies.ndim != 2 or bodies.shape[1] != 2:
         raise ValueError(f"pairs has the shape {bodies.shape}; it must be (n, 2)")
@@ -161,21 +153,7 @@ def pairs_detect(
         return contacts
     options = _options(parallel_angle, vertex_zone, margin, without_region)
     with held(*owners):
-        handles = (ctypes.c_void_p * len(owners))(
-            *(ctypes.cast(shape._alive, ctypes.c_void_p).value for shape in owners)
-        )
-        keeper = owners[0]._keeper
-        keeper.call(
-            library.hs_pairs_detect,
-            keeper.pointer,
-            handles,
-            places.ctypes.data,
-            len(owners),
-            bodies.ctypes.data,
-            len(bodies),
-            options,
-            None if caches is None else caches.ctypes.data,
-            contacts.ctypes.data,
-            None,
-        )
+        given = pointers_of(owners), places.ctypes.data, len(owners), bodies.ctypes.data, len(bodies), options
+        memory = None if caches is None else caches.ctypes.data
+        owners[0].context._call(library.hs_pairs_detect, *given, memory, contacts.ctypes.data, None)
     return contacts

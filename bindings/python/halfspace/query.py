@@ -1,7 +1,6 @@
 """Queries without contact: closest points, rays into worlds, pairs of overlapping boxes, and an order of points."""
 from __future__ import annotations
 
-import ctypes
 from typing import Any, Optional
 
 import numpy as np
@@ -69,14 +68,12 @@ def boxes_find_pairs(
     corners = floats(lower, "lower")
     dimension = 3 if corners.ndim == 2 and corners.shape[1] == 3 else 2
     low, high = view_of(corners, dimension, "lower"), view_of(upper, dimension, "upper")
-    owner, count = context or default_context(), ctypes.c_int64()
-    pairs = np.empty((len(corners), 2), np.int32)
+    owner, pairs = context or default_context(), np.empty((len(corners), 2), np.int32)
     while True:
-        found = pairs.ctypes.data, len(pairs), ctypes.byref(count)
-        owner._call(library.hs_boxes_find_pairs, dimension, low, high, *found)
-        if count.value <= len(pairs):
-            return pairs[: count.value]
-        pairs = np.empty((count.value, 2), np.int32)
+        count = owner._value(library.hs_boxes_find_pairs, dimension, low, high, pairs.ctypes.data, len(pairs))
+        if count <= len(pairs):
+            return pairs[:count]
+        pairs = np.empty((count, 2), np.int32)
 
 
 def points_order_along_curve(points: ArrayLike, *, context: Optional[Context] = None) -> NDArray[np.int32]:

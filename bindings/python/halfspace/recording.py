@@ -11,6 +11,7 @@ from ._viewer import viewer_library, viewer_page
 from .constants import BlockKind, BondFailure
 from .context import held
 from .errors import ArgumentError
+from .records import Energy
 from .shape import Shape
 from .world import World
 
@@ -20,17 +21,7 @@ _TENSOR: Dict[int, Dict[str, Tuple[int, int]]] = {
     3: {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "yz": (1, 2), "zx": (2, 0), "xy": (0, 1)},
 }
 _REPORTED = ("time", "steps", "contact_count", "largest_overlap", "largest_speed")
-_ENERGIES = (
-    "kinetic",
-    "gravity",
-    "strain",
-    "friction_loss",
-    "contact_damping_loss",
-    "local_damping_loss",
-    "mass_damping_loss",
-    "outer_work",
-    "residual",
-)
+_ENERGIES = tuple(Energy.__annotations__)
 
 
 def _checked(result: Any) -> Any:
@@ -151,7 +142,7 @@ class Recording:
         places = [i for i, block in enumerate(blocks) if self._numbers[block] >= 0]
         numbers = np.array([self._numbers[blocks[i]] for i in places], np.int64)
         rigid = np.array([not self._deforms[blocks[i]] for i in places], bool)
-        poses = _whole_poses(world)[places]
+        poses = world.poses[places]
         moving, of_moving = np.ascontiguousarray(poses[rigid]), numbers[rigid]
         self._call("set_poses", len(of_moving), of_moving.ctypes.data, moving.ctypes.data)
         for i, number in zip(places, numbers):
@@ -226,17 +217,6 @@ class Recording:
         rows = [names, *([repr(value) for value in row] for row in self._rows)]
         self._call("set_history", "".join(",".join(row) + "\n" for row in rows).encode())
         self._call("write", os.fsencode(viewer_page()), os.fsencode(path))
-
-
-def _whole_poses(world: World) -> NDArray[np.float64]:
-    """Poses of 7 values, from those of 3 in 2D."""
-    poses = np.asarray(world.poses)
-    if poses.shape[1] == 7:
-        return np.ascontiguousarray(poses)
-    whole = np.zeros((len(poses), 7))
-    whole[:, :2] = poses[:, :2]
-    whole[:, 5], whole[:, 6] = np.sin(poses[:, 2] / 2), np.cos(poses[:, 2] / 2)
-    return whole
 
 
 def _faces_of(vertices: NDArray[np.float64], dimension: int) -> List[NDArray[np.int32]]:

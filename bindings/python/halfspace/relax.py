@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from . import _raw
 from ._arrays import gravity_vector
 from ._choice import choice
+from ._definition import filled
 from ._library import library
 from ._record import empty_record
 from .constants import Unbalanced
@@ -57,10 +58,9 @@ class Statics(WetBlocks):
         tuple
             True in equilibrium, and a record of `BALANCE`.
         """
-        struct = _raw.hs_relaxation_def()
-        library.hs_relaxation_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.measure, struct.ratio = choice(measure, Unbalanced, "measure"), ratio
-        struct.local_damping, struct.is_adaptive, struct.hold_bonds = local_damping, int(adaptive), int(hold_bonds)
+        given = dict(ratio=ratio, local_damping=local_damping, is_adaptive=int(adaptive), hold_bonds=int(hold_bonds))
+        struct = filled(_raw.hs_relaxation_def(), library.hs_relaxation_def_init, **given)
+        struct.measure = choice(measure, Unbalanced, "measure")
         final, balance = empty_record(Balance)
         done, left = 0, operator.index(max_steps)
         with held(self):
@@ -125,10 +125,9 @@ class Statics(WetBlocks):
         numpy.record
             A record of `STRENGTH_REPORT`, with `factor`, `low` and `high`.
         """
-        struct = _raw.hs_strength_def()
-        library.hs_strength_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.low, struct.high, struct.resolution, struct.ratio = low, high, resolution, ratio
-        struct.max_displacement, struct.max_steps = max_displacement, max_steps
+        bracket = dict(low=low, high=high, resolution=resolution)
+        trial = dict(ratio=ratio, max_displacement=max_displacement, max_steps=max_steps)
+        struct = filled(_raw.hs_strength_def(), library.hs_strength_def_init, **bracket, **trial)
         report, written = empty_record(StrengthReport)
         self._call(library.hs_world_find_strength_factor, struct, written, ctypes.sizeof(written), None)
         return report

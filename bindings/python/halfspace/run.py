@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _raw, _scene
+from ._arrays import shaped
 from ._library import library
 from .block_arrays import BlockArrays
 from .context import held
@@ -161,10 +162,10 @@ class Runs(BlockArrays):
         file = os.fspath(path)
         root, ending = os.path.splitext(file)
         beside = os.fsencode(f"{root}_contacts{ending}") if contacts else None
-        origin = None if start is None else np.ascontiguousarray(start, np.float64)
-        if origin is not None and origin.shape != (len(self), 7):
-            raise ValueError(f"start has the shape {origin.shape}; it must be ({len(self)}, 7)")
-        poses = None if origin is None else origin.ctypes.data_as(ctypes.POINTER(_raw.hs_pose))
+        poses = None
+        if start is not None:
+            origin = shaped(np.ascontiguousarray(start, np.float64), "start", (len(self), 7))
+            poses = origin.ctypes.data_as(ctypes.POINTER(_raw.hs_pose))
         with held(self):
             given = self._keeper.pointer, self._alive, poses
             _scene.SceneHandle().call("write_vtk", *given, os.fsencode(file), beside)

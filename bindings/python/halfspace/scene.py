@@ -223,12 +223,7 @@ class Scene(Searches):
             return RunResult(
                 end=ENDS[found.end],
                 world=world,
-                time=found.time,
-                steps=found.steps,
-                run_out=found.run_out,
-                max_displacement=found.max_displacement,
-                largest_overlap=found.largest_overlap,
-                energy_residual=found.energy_residual,
+                **{name: getattr(found, name) for name, _ in found._fields_ if name != "end"},
                 history=read_history(pathlib.Path(directory) / "history.csv"),
                 summary=scene._handle.text(_raw_scene.HS_SCENE_TEXT_REPORT),
                 notes=world.check(),

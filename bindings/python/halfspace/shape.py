@@ -173,16 +173,24 @@ class Shape(Handle):
     def rectangle(cls, width: float, height: float, *, context: Optional[Context] = None) -> "Shape":
         """Creates a rectangle, centered at the origin."""
         require_above_0(width=width, height=height)
-        x, y = 0.5 * width, 0.5 * height
-        return cls.polygon([(-x, -y), (x, -y), (x, y), (-x, y)], context=context)
+        return cls._between((-0.5 * width, -0.5 * height), (0.5 * width, 0.5 * height), context)
 
     @classmethod
     def box(cls, width: float, depth: float, height: float, *, context: Optional[Context] = None) -> "Shape":
         """Creates a cuboid, centered at the origin, with edges along x, y and z."""
         require_above_0(width=width, depth=depth, height=height)
-        signs = [(i, j, k) for k in (-0.5, 0.5) for j in (-0.5, 0.5) for i in (-0.5, 0.5)]
+        half = 0.5 * np.array([width, depth, height])
+        return cls._between(-half, half, context)
+
+    @classmethod
+    def _between(cls, low: ArrayLike, high: ArrayLike, context: Optional[Context]) -> "Shape":
+        """A rectangle or a cuboid of two opposite corners."""
+        if np.size(low) == 2:
+            (a, b), (c, d) = np.asarray(low), np.asarray(high)
+            return cls.polygon([(a, b), (c, b), (c, d), (a, d)], context=context)
+        are_high = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
         faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
-        return cls.polyhedron(np.multiply(signs, (width, depth, height)), faces, context=context)
+        return cls.polyhedron(np.where(are_high, high, low), faces, context=context)
 
     def __repr__(self) -> str:
         if self.closed:

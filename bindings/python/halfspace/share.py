@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
+from ._arrays import shaped
 from ._choice import choice
 from ._library import library
 from ._record import Floats
@@ -152,9 +153,7 @@ class Shares(BlockArrays):
 
     @sums.setter
     def sums(self, sums: ArrayLike) -> None:
-        array = np.ascontiguousarray(sums, np.float64)
-        if array.shape != (_raw.HS_SUM_COUNT,):
-            raise ValueError(f"sums has the shape {array.shape}; it must be ({_raw.HS_SUM_COUNT},)")
+        array = shaped(np.ascontiguousarray(sums, np.float64), "sums", (_raw.HS_SUM_COUNT,))
         self._call(library.hs_world_set_sums, array.ctypes.data)
 
     # ---- a step ----
@@ -196,9 +195,7 @@ class Shares(BlockArrays):
         """Sets the loads of the contacts on copies, as `loads` of their owner returned them."""
         array, rows = _as_keys(keys), np.ascontiguousarray(loads, np.float64)
         with held(self):
-            wanted = self._shape_of_loads(array)
-            if rows.shape != wanted:
-                raise ValueError(f"loads has the shape {rows.shape}; it must be {wanted}")
+            shaped(rows, "loads", self._shape_of_loads(array))
             self._call(library.hs_world_set_loads, array.ctypes.data, array.size, rows.ctypes.data)
 
     def end_step(self) -> None:

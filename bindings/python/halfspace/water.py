@@ -1,14 +1,14 @@
 """Water below a table."""
 from __future__ import annotations
 
-import ctypes
-from typing import Any, Tuple
+from typing import Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _raw
 from ._arrays import mutable_view_of, view_of
+from ._definition import filled
 from ._library import library
 from .bolt import BoltedBlocks
 from .context import held
@@ -32,9 +32,7 @@ class WetBlocks(BoltedBlocks):
         factor : float
             Multiplies the pressure.
         """
-        struct = _raw.hs_water_def()
-        library.hs_water_def_init(ctypes.byref(struct), ctypes.sizeof(struct))
-        struct.density, struct.factor = density, factor
+        struct = filled(_raw.hs_water_def(), library.hs_water_def_init, density=density, factor=factor)
         corners = np.asarray(table, np.float64)
         if corners.ndim == 0:
             corners = np.array([[0.0] * (self.dimension - 1) + [corners.item()]])
@@ -50,9 +48,7 @@ class WetBlocks(BoltedBlocks):
         """Returns the current loads of water on all blocks: forces, and torques about the centroids, each of shape
         (n, 3)."""
         with held(self):
-            count = ctypes.c_int64()
-            self._call(library.hs_world_get_blocks, None, 0, ctypes.byref(count))
-            forces, torques = np.zeros((count.value, 3)), np.zeros((count.value, 3))
-            views: Any = [mutable_view_of(array, 3, "loads") for array in (forces, torques)]
+            forces, torques = np.zeros((2, len(self), 3))
+            views = [mutable_view_of(array, 3, "loads") for array in (forces, torques)]
             self._call(library.hs_world_get_water_loads, *views)
         return forces, torques

@@ -1,7 +1,6 @@
 """A world of blocks, stepped by the library or by an integrator of the host."""
 from __future__ import annotations
 
-import ctypes
 import operator
 import time
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _raw
 from ._arrays import as_pose, block_id, gravity_vector, index, mutable_view_of, pose, struct_of, turn_vector, vector
 from ._choice import choice
+from ._definition import filled
 from ._library import library
 from ._record import Records
 from .action import ActedOn
@@ -109,16 +109,14 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         context: Optional[Context] = None,
     ) -> None:
         given = {name: value for name, value in locals().items() if value is not None}
-        definition = _raw.hs_world_def()
         given["dimension"] = dimension = index(dimension, "dimension")
-        library.hs_world_def_init(ctypes.byref(definition), ctypes.sizeof(definition), 3 if dimension == 3 else 2)
         if gravity is not None:
             given["gravity"] = gravity_vector(gravity, dimension)
         if fast_blocks is not None:
             given["fast_blocks"] = choice(fast_blocks, FastBlocks, "fast_blocks")
-        for name, _ in definition._fields_:
-            if name in given:
-                setattr(definition, name, given[name])
+        settings = {name: given[name] for name, _ in _raw.hs_world_def._fields_ if name in given}
+        plane_or_space = 3 if dimension == 3 else 2  # the library refuses the dimension below, with an error text
+        definition = filled(_raw.hs_world_def(), library.hs_world_def_init, plane_or_space, **settings)
         self._make(context, dimension, library.hs_world_create, definition)
         self._given.is_of_snapshot = False
         if law is not None:
@@ -179,9 +177,7 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def add_material(self, density: float) -> int:
         """Adds a material (density > 0, kg/m3) and returns its index."""
-        material = ctypes.c_int32()
-        self._call(library.hs_world_add_material, density, ctypes.byref(material))
-        return material.value
+        return self._value(library.hs_world_add_material, density)
 
     def set_default_law(self, law: Law) -> None:
         """Sets the law of all pairs of materials without a law of their own."""
@@ -189,12 +185,8 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def set_law(self, material_a: int, material_b: int, law: Law) -> None:
         """Sets the law of two materials, in either order; they may be the same."""
-        self._call(
-            library.hs_world_set_law,
-            index(material_a, "material_a"),
-            index(material_b, "material_b"),
-            struct_of(law, Law, "law"),
-        )
+        materials = index(material_a, "material_a"), index(material_b, "material_b")
+        self._call(library.hs_world_set_law, *materials, struct_of(law, Law, "law"))
 
     # ---- blocks ----
 
@@ -236,14 +228,11 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
         int
             Id of the block (unsigned, 64 bits). Ids of removed blocks are not reused.
         """
-        definition = _raw.hs_block_def()
         with held(shape):
-            library.hs_block_def_init(ctypes.byref(definition), ctypes.sizeof(definition), shape._alive)
+            definition = filled(_raw.hs_block_def(), library.hs_block_def_init, shape._alive)
         set_start(definition, position, angle, rotation, kind, material, velocity, angular_velocity)
-        block = ctypes.c_uint64()
         with held(self, shape):
-            self._call(library.hs_world_add_block, shape._alive, definition, ctypes.byref(block))
-        return block.value
+            return self._value(library.hs_world_add_block, shape._alive, definition)
 
     def add_blocks(
         self,
@@ -283,13 +272,12 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
 
     def block_vertices(self, block: int) -> Floats:
         """Returns the current positions of a block's vertices, m, shape (n, dimension)."""
-        named, count, room = block_id(block, "block"), ctypes.c_int64(), np.empty((16, self.dimension))
-        while True:
+        named, count, room = block_id(block, "block"), 16, np.empty((0, self.dimension))
+        while len(room) < count:
+            room = np.empty((count, self.dimension))
             view = mutable_view_of(room, self.dimension, "vertices")
-            self._call(library.hs_world_get_block_vertices, named, view, ctypes.byref(count))
-            if count.value <= len(room):
-                return room[: count.value]
-            room = np.empty((count.value, self.dimension))
+            count = self._value(library.hs_world_get_block_vertices, named, view)
+        return room[:count]
 
     def set_pose(
         self,
@@ -309,27 +297,20 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
     def set_velocity(self, block: int, velocity: ArrayLike, angular_velocity: ArrayLike = 0.0) -> None:
         """Sets the velocity, m/s, and angular velocity, rad/s, of a block (one number is about z)."""
         turn = turn_vector(angular_velocity, "angular_velocity")
-        self._call(
-            library.hs_world_set_velocity, block_id(block, "block"), vector(velocity, "velocity"), turn
-        )
+        motion = vector(velocity, "velocity"), turn
+        self._call(library.hs_world_set_velocity, block_id(block, "block"), *motion)
 
     def set_applied_force(self, block: int, force: ArrayLike, torque: ArrayLike = 0.0) -> None:
         """Sets the external force at the centroid, N, and torque, N m, of a rigid or affine block, until set again."""
         self._given.beyond_scenes.add("applied forces")
-        self._call(
-            library.hs_world_set_applied_force,
-            block_id(block, "block"),
-            vector(force, "force"),
-            turn_vector(torque, "torque"),
-        )
+        load = vector(force, "force"), turn_vector(torque, "torque")
+        self._call(library.hs_world_set_applied_force, block_id(block, "block"), *load)
 
     # ---- stages and steps ----
 
     def detect(self) -> int:
         """Stage: neighbour search and detection at the current poses. Returns the number of pairs in contact."""
-        touching = ctypes.c_int64()
-        self._call(library.hs_world_detect, ctypes.byref(touching))
-        return touching.value
+        return self._value(library.hs_world_detect)
 
     def forces(
         self, elapsed: float, out: Optional[Floats] = None, torques_out: Optional[Floats] = None
@@ -377,12 +358,8 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
     def set_shear_force(self, block_a: int, block_b: int, shear_force: ArrayLike) -> None:
         """Preloads the shear spring of a contact with a force on `block_b`, e.g. to start from
         equilibrium."""
-        self._call(
-            library.hs_world_set_shear_force,
-            block_id(block_a, "block_a"),
-            block_id(block_b, "block_b"),
-            vector(shear_force, "shear_force"),
-        )
+        blocks = block_id(block_a, "block_a"), block_id(block_b, "block_b")
+        self._call(library.hs_world_set_shear_force, *blocks, vector(shear_force, "shear_force"))
 
     def plan(self, steps: int = 0) -> WorldPlan:
         """Returns active parts, bytes, and the limit of the time step: a record of the fields of ``hs_world_plan``.

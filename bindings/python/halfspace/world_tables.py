@@ -13,9 +13,6 @@ from .properties import Elasticity, Law
 if TYPE_CHECKING:
     from .world import World
 
-_KIND_NAMES = {BlockKind.RIGID: "rigid", BlockKind.AFFINE: "affine", BlockKind.FIXED: "fixed",
-               BlockKind.PRESCRIBED: "prescribed"}
-
 
 def _law_keys(law: Law) -> Dict[str, Any]:
     """The keys of a law. Scenes do not know those that do not belong to its kind."""
@@ -59,7 +56,7 @@ def _block_tables(world: "World") -> List[Dict[str, Any]]:
         table = {
             "name": name,
             "material": f"material{state.material}",
-            "kind": _KIND_NAMES[kind],
+            "kind": kind.name.lower(),
             "vertices": world.block_vertices(block),
         }
         if kind != BlockKind.FIXED:

@@ -93,6 +93,7 @@ def test_a_block_is_made_of_a_shape_that_lasts(monkeypatch, together, name):
         assert not ended
         return function(*arguments)
 
+    after_the_end.argtypes = function.argtypes
     monkeypatch.setattr(library, name, after_the_end)
     if name == "hs_block_def_init":
         with pytest.raises(hs.ClosedError, match="the shape is closed"):
