@@ -32,6 +32,13 @@ def _checked(result: Any) -> Any:
     return result
 
 
+def _in_c(argument: Any) -> Any:
+    """Texts and arrays as C has them; the others as they are."""
+    if isinstance(argument, np.ndarray):
+        return np.ascontiguousarray(argument).ctypes.data_as(ctypes.c_void_p)
+    return argument.encode() if isinstance(argument, str) else argument
+
+
 class Recording:
     """Frames of a world, for `view`. Each call of `add` records one.
 
@@ -108,11 +115,10 @@ class Recording:
         self._rows.append([float(report[name]) for name in _REPORTED] + [float(energy[name]) for name in _ENERGIES])
 
     def _call(self, name: str, *arguments: Any) -> Any:
-        return _checked(getattr(self._library, f"hs_recording_{name}")(self._handle, *arguments))
+        return _checked(getattr(self._library, f"hs_recording_{name}")(self._handle, *map(_in_c, arguments)))
 
     def _add_block(self, world: World, block: int) -> None:
-        state, vertices = world.state(block), np.zeros((len(world.block_vertices(block)), 3))
-        vertices[:, : world.dimension] = world.block_vertices(block)
+        state, vertices = world.state(block), _vertices_of(world, block)
         if len(vertices) == 0:  # a compound, whose parts are blocks
             self._numbers[block] = -1
             return
@@ -123,34 +129,19 @@ class Recording:
         self._deforms[block] = BlockKind(state.kind) in _DEFORMING
         if self._deforms[block]:
             pose = np.array([*vertices.mean(axis=0), 0, 0, 0, 1])
-        names: Any = getattr(world, "_names", {})
-        name = self._names.get(block, names.get(block, ""))
-        self._numbers[block] = self._call(
-            "add_block",
-            name.encode(),
-            int(state.kind),
-            int(state.material),
-            pose.ctypes.data,
-            len(vertices),
-            vertices.ctypes.data,
-            len(faces),
-            sizes.ctypes.data,
-            corners.ctypes.data,
-        )
+        name = self._names.get(block, world._names.get(block, ""))
+        given = name, int(state.kind), int(state.material), pose, len(vertices), vertices, len(faces), sizes, corners
+        self._numbers[block] = self._call("add_block", *given)
 
     def _add_motion(self, world: World, blocks: List[int]) -> None:
         places = [i for i, block in enumerate(blocks) if self._numbers[block] >= 0]
         numbers = np.array([self._numbers[blocks[i]] for i in places], np.int64)
         rigid = np.array([not self._deforms[blocks[i]] for i in places], bool)
         poses = world.poses[places]
-        moving, of_moving = np.ascontiguousarray(poses[rigid]), numbers[rigid]
-        self._call("set_poses", len(of_moving), of_moving.ctypes.data, moving.ctypes.data)
+        self._call("set_poses", int(rigid.sum()), numbers[rigid], poses[rigid])
         for i, number in zip(places, numbers):
             if self._deforms[blocks[i]]:
-                found = world.block_vertices(blocks[i])
-                vertices = np.zeros((len(found), 3))
-                vertices[:, : world.dimension] = found
-                self._call("set_vertices", int(number), vertices.ctypes.data)
+                self._call("set_vertices", int(number), _vertices_of(world, blocks[i]))
         states = world.states()[places]
         for name, unit, vector in (
             ("speed", "m/s", "velocity"),
@@ -168,8 +159,7 @@ class Recording:
                     self._set(f"{tensor} {name}", unit, deformed, values)
 
     def _set(self, name: str, unit: str, numbers: NDArray[np.int64], values: ArrayLike) -> None:
-        array = np.array(values, np.float64)
-        self._call("set_values", name.encode(), unit.encode(), len(array), numbers.ctypes.data, array.ctypes.data)
+        self._call("set_values", name, unit, len(numbers), numbers, np.array(values, np.float64))
 
     def _add_forces(self, world: World) -> None:
         contacts = world.contacts()
@@ -178,13 +168,12 @@ class Recording:
                 np.array([self._numbers[int(block)] for block in contacts[end]], np.int64)
                 for end in ("block_a", "block_b")
             ]
-            arrays = [np.ascontiguousarray(contacts[name]) for name in ("force_point", "force", "normal_force")]
-            self._call("set_contacts", len(contacts), *(array.ctypes.data for array in (*blocks, *arrays)))
+            of_forces = (contacts[name] for name in ("force_point", "force", "normal_force"))
+            self._call("set_contacts", len(contacts), *blocks, *of_forces)
         bolts = world.bolts()
         if len(bolts) > 0:
-            arrays = [np.ascontiguousarray(bolts[name]) for name in ("number", "place_a", "place_b", "tension")]
-            ruptured = np.ascontiguousarray(bolts["is_ruptured"], np.int32)
-            self._call("set_bolts", len(bolts), *(array.ctypes.data for array in (*arrays, ruptured)))
+            names = ("number", "place_a", "place_b", "tension", "is_ruptured")
+            self._call("set_bolts", len(bolts), *(bolts[name] for name in names))
 
     def _add_cracks(self, world: World) -> None:
         """The failures of bonds since the last frame, but for those of blocks that are not there any more."""
@@ -199,24 +188,21 @@ class Recording:
         )
         known = (blocks_a >= 0) & (blocks_b >= 0)
         events = events[known]
-        arrays = [
-            np.ascontiguousarray(values)
-            for values in (
-                events["time"],
-                blocks_a[known],
-                blocks_b[known],
-                *(events[name] for name in ("position", "normal", "area")),
-                np.array(events["failure"] == BondFailure.SHEAR, np.int32),
-            )
-        ]
-        self._call("add_cracks", len(events), *(array.ctypes.data for array in arrays))
+        places = (events[name] for name in ("position", "normal", "area"))
+        are_shear = np.array(events["failure"] == BondFailure.SHEAR, np.int32)
+        self._call("add_cracks", len(events), events["time"], blocks_a[known], blocks_b[known], *places, are_shear)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the recording as a page of HTML. It takes no more frames then."""
         names = ["contacts" if name == "contact_count" else name for name in _REPORTED] + list(_ENERGIES)
         rows = [names, *([repr(value) for value in row] for row in self._rows)]
-        self._call("set_history", "".join(",".join(row) + "\n" for row in rows).encode())
+        self._call("set_history", "".join(",".join(row) + "\n" for row in rows))
         self._call("write", os.fsencode(viewer_page()), os.fsencode(path))
+
+
+def _vertices_of(world: World, block: int) -> NDArray[np.float64]:
+    """With three coordinates each, also in 2D."""
+    return np.pad(world.block_vertices(block), ((0, 0), (0, 3 - world.dimension)))
 
 
 def _faces_of(vertices: NDArray[np.float64], dimension: int) -> List[NDArray[np.int32]]:
