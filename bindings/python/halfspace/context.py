@@ -186,6 +186,7 @@ def default_context() -> Context:
 
 _AnyHandle = TypeVar("_AnyHandle", bound="Handle")
 _AnyElement = TypeVar("_AnyElement", bound=np.generic)
+_Made = TypeVar("_Made")
 
 
 class Handle(_Caller):
@@ -250,16 +251,16 @@ class Handle(_Caller):
         return records
 
 
-@contextlib.contextmanager
-def made(context: Optional[Context], make: Any, *arguments: Any, behind: Tuple[Any, ...] = ()) -> Iterator[Any]:
-    """Context and pointer of what a function makes. The caller of this makes a `Handle` of them, as until then another
-    thread could close the context without destroying the object."""
+def made(
+    own: Callable[[Context, Any], _Made], context: Optional[Context], make: Any, *arguments: Any, behind: Any = ()
+) -> _Made:
+    """Makes an object by a function, behind whose arguments are its pointer and others, and a `Handle` by `own`: until
+    then another thread could close the context without destroying the object."""
     owner = context or default_context()
-    keeper = owner._alive
-    with keeper.lock:
+    with owner._alive.lock:
         pointer = make.argtypes[len(arguments) + 1]._type_()
         owner._call(make, *arguments, ctypes.byref(pointer), *behind)
-        yield owner, pointer
+        return own(owner, pointer)
 
 
 def pointers_of(handles: Sequence[Handle]) -> Any:

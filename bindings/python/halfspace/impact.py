@@ -90,6 +90,4 @@ def pair_time_of_impact(
     """
     moved_a, moved_b = struct_of(motion_a, Motion, "motion_a"), struct_of(motion_b, Motion, "motion_b")
     with held(shape_a, shape_b):
-        return shape_a._record(
-            Impact, library.hs_pair_time_of_impact, moved_a, shape_b._alive, moved_b, duration
-        )
+        return shape_a._record(Impact, library.hs_pair_time_of_impact, moved_a, shape_b._alive, moved_b, duration)

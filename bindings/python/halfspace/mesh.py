@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -62,8 +63,8 @@ class Mesh(Handle):
         kinds, names = _kinds_and_nodes(cells, places.shape[1])
         given = places.shape[1], view_of(places, places.shape[1], "nodes")
         cells_given = kinds.ctypes.data, len(kinds), names.ctypes.data, len(names)
-        with made(context, library.hs_mesh_create, *given, *cells_given) as (owner, pointer):
-            super().__init__(owner, pointer, library.hs_mesh_destroy)
+        own = functools.partial(super().__init__, destroy=library.hs_mesh_destroy)
+        made(own, context, library.hs_mesh_create, *given, *cells_given)
         self._properties = self._record(MeshProperties, library.hs_mesh_get_properties)
 
     @classmethod

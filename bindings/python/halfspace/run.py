@@ -26,8 +26,8 @@ _PORTION_TIME = 0.1  # s of wall time, between two looks at signals and the prog
 class Runs(BlockArrays):
     """A world that runs to a time, and whose blocks have names."""
 
-    def __init__(self, *arguments: Any) -> None:
-        super().__init__(*arguments)
+    def __init__(self, *arguments: Any, **others: Any) -> None:
+        super().__init__(*arguments, **others)
         self._names: Dict[int, str] = {}
         self._notes_of_scene: Optional[List[str]] = None  # of the scene that the world was made of
 

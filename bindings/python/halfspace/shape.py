@@ -38,8 +38,7 @@ class Shape(Handle):
     def _make(
         cls, context: Optional[Context], create: Callable[..., int], *arguments: Any, behind: Tuple[Any, ...] = ()
     ) -> "Shape":
-        with made(context, create, *arguments, behind=behind) as (owner, pointer):
-            return cls(owner, pointer)
+        return made(cls, context, create, *arguments, behind=behind)
 
     @classmethod
     def polygon(cls, vertices: ArrayLike, *, context: Optional[Context] = None) -> "Shape":
@@ -183,10 +182,10 @@ class Shape(Handle):
         return cls._between(-half, half, context)
 
     @classmethod
-    def _between(cls, low: ArrayLike, high: ArrayLike, context: Optional[Context]) -> "Shape":
+    def _between(cls, low: Any, high: Any, context: Optional[Context]) -> "Shape":
         """A rectangle or a cuboid of two opposite corners."""
-        if np.size(low) == 2:
-            (a, b), (c, d) = np.asarray(low), np.asarray(high)
+        if len(low) == 2:
+            (a, b), (c, d) = low, high
             return cls.polygon([(a, b), (c, b), (c, d), (a, d)], context=context)
         are_high = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
         faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]

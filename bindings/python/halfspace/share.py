@@ -15,7 +15,7 @@ from ._library import library
 from ._record import Floats
 from .block_arrays import BlockArrays
 from .constants import Role
-from .context import held, made
+from .context import Context, held, made
 from .records import ShareInfo, SharePlan
 
 if TYPE_CHECKING:
@@ -135,12 +135,14 @@ class Shares(BlockArrays):
             Its settings, laws, clock, list of pairs and losses are those of this world.
         """
         structs = (_raw.hs_packed * len(blocks))(*[block._as_struct() for block in blocks])
+
+        def own(owner: Context, pointer: Any) -> "World":
+            share: "World" = cast(Any, type(self))._of(owner, pointer, self.dimension)
+            share._given = self._given.copy()
+            return share
+
         with held(self):
-            given = self._alive, structs, len(blocks)
-            with made(self.context, library.hs_world_assemble, *given) as (owner, pointer):
-                share: "World" = cast(Any, type(self))._of(owner, pointer, self.dimension)
-                share._given = self._given.copy()
-                return share
+            return made(own, self.context, library.hs_world_assemble, self._alive, structs, len(blocks))
 
     @property
     def sums(self) -> Floats:

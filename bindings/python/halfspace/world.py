@@ -1,6 +1,7 @@
 """A world of blocks, stepped by the library or by an integrator of the host."""
 from __future__ import annotations
 
+import functools
 import operator
 import time
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
@@ -123,8 +124,8 @@ class World(ActedOn, CompoundBlocks, Shares, Runs):
             self.set_default_law(law)
 
     def _make(self, context: Optional[Context], dimension: int, make: Any, *arguments: Any) -> None:
-        with made(context, make, *arguments) as (owner, pointer):
-            super().__init__(owner, pointer, library.hs_world_destroy, dimension)
+        own = functools.partial(super().__init__, destroy=library.hs_world_destroy, dimension=dimension)
+        made(own, context, make, *arguments)
 
     @classmethod
     def _of(cls, owner: Context, pointer: Any, dimension: int, *, is_owned: bool = True) -> "World":
