@@ -238,11 +238,9 @@ class Handle(_Caller):
 
     def _array(self, kind: Type[_AnyElement], function: Any, *arguments: Any) -> NDArray[_AnyElement]:
         """All that a function returns whose last arguments are an array, its capacity, and the number of elements."""
-        count = function.argtypes[-1]._type_()
         with self._keeper.lock:
-            self._call(function, *arguments, None, 0, ctypes.byref(count))
-            array = np.zeros(count.value, kind)
-            self._call(function, *arguments, array.ctypes.data, len(array), ctypes.byref(count))
+            array = np.zeros(self._value(function, *arguments, None, 0), kind)
+            self._value(function, *arguments, array.ctypes.data, len(array))
         return array
 
     def _records(self, kind: Type[Record], function: Any, *arguments: Any) -> Records:

@@ -136,10 +136,10 @@ class Definitions(Statics):
 
     def table(self, table: int) -> Tuple[Floats, Floats]:
         """Returns the times, s, and the rows of three values of a table."""
-        which, count = index(table, "table"), ctypes.c_int64()
+        which = index(table, "table")
         with held(self):
-            self._call(library.hs_world_get_table, which, None, _raw.hs_mutable_view(), ctypes.byref(count))
-            times, rows = np.empty(count.value), np.empty((count.value, 3))
+            count = self._value(library.hs_world_get_table, which, None, _raw.hs_mutable_view())
+            times, rows = np.empty(count), np.empty((count, 3))
             view = mutable_view_of(rows, 3, "rows")
             self._call(library.hs_world_get_table, which, times.ctypes.data, view, None)
         return times, rows
@@ -147,11 +147,11 @@ class Definitions(Statics):
     def actions(self, block: Optional[int]) -> List[Action]:
         """Returns the actions on a block, or with None those on all blocks, in the order in which they were added."""
         name = 0 if block is None else block_id(block, "block")
-        count, size = ctypes.c_int64(), ctypes.sizeof(_raw.hs_action_def)
+        size = ctypes.sizeof(_raw.hs_action_def)
         with held(self):
-            self._call(library.hs_world_get_actions, name, None, size, 0, ctypes.byref(count))
-            structs = (_raw.hs_action_def * count.value)()
-            self._call(library.hs_world_get_actions, name, structs, size, count.value, None)
+            count = self._value(library.hs_world_get_actions, name, None, size, 0)
+            structs = (_raw.hs_action_def * count)()
+            self._call(library.hs_world_get_actions, name, structs, size, count, None)
         return [_action_of(struct) for struct in structs]
 
     def unusual_settings(self) -> Records:
