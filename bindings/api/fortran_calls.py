@@ -150,7 +150,7 @@ class Method:
         if argument.shape:
             self.declare(argument, f"{declared}, intent(inout), allocatable, target", "(:)")
             self.list = argument
-            self.values["size"] = f"storage_size({name}, c_size_t) / 8"
+            self.values["size"] = "storage_size(all, c_size_t) / 8"
             return
         self.declare(argument, f"{declared}, intent(inout), target, contiguous", "(:)")
         size = f"size({name}, kind=c_int64_t)"
@@ -221,13 +221,11 @@ class Method:
         """An array that fits: C says how many entries there are, and fills it."""
         name, declared = self.list.name, self.type_of(self.list.of)
         count = self.call(**{self.list.c_name: "c_null_ptr", "capacity": "0_c_int64_t", "count": "c_loc(count)"})
-        fill = self.call(**{self.list.c_name: f"c_loc({name})", "capacity": "count", "count": "c_null_ptr"})
-        counted = [f"  call count_from_1({name})"] if self.list.of in fortran_records.COUNTED else []
-        return [f"{declared}, allocatable, target :: longer_or_shorter(:)", *self.locals,
+        fill = self.call(**{self.list.c_name: "c_loc(all)", "capacity": "count", "count": "c_null_ptr"})
+        done = ["call count_from_1(all)"] * (self.list.of in fortran_records.COUNTED) + [f"call move_alloc(all, {name})"]
+        return [f"{declared}, allocatable, target :: all(:)", *self.locals,
                 "integer(c_int64_t), target :: count", "integer(c_int32_t) :: status", "integer :: failure",
-                "logical :: fits", *self.before, f"status = {count}", "if (status >= HS_OK) then",
-                f"  fits = allocated({name})", f"  if (fits) fits = size({name}, kind=c_int64_t) == count",
-                "  if (.not. fits) then", "    allocate (longer_or_shorter(count), stat=failure)",
-                "    if (.not. had_memory(failure, stat, errmsg)) return",
-                f"    call move_alloc(longer_or_shorter, {name})", "  end if", f"  status = {fill}", *counted, "end if",
+                *self.before, f"status = {count}", "if (status >= HS_OK) then",
+                "  allocate (all(count), stat=failure)", "  if (.not. had_memory(failure, stat, errmsg)) return",
+                f"  status = {fill}", *(f"  {line}" for line in only_if("status >= HS_OK", done)), "end if",
                 "call conclude(status, self%c_context(), stat, errmsg)"]

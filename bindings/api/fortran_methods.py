@@ -19,11 +19,11 @@ set_velocities: set_velocities_of_blocks=set_velocities(linear=velocities, angul
 set_applied_forces(force=forces, torque=torques?) detect(touching?)
 forces: forces_on_blocks=forces(elapsed, force=forces, torque=torques?) step(steps?1) report(values=report)
 contacts(list=contacts[]) set_shear_force(block_a, block_b, shear_force)
-remove_body(body) remove_cells(body, cells, released?) set_body_stress(body, stress(3,3), gradient(3,3,3)?)
+remove_body(body) remove_cells(body, cells, released?) set_body_stress(body, stress, gradient(3,3,3)?)
 body_state(body, state) node_positions(body, points=positions, count?) node_velocities(body, velocities, count?)
 node_forces(body, forces, count?) set_node_velocities(body, velocities) hold_nodes(body, nodes, axes, velocity?)
 set_node_force(body, nodes, force) cells(body, values=cells, count?) body_of_block(block, body, cell?)
-end_actions(block?) end_node_actions(body) set_node_viscosity(body, nodes, viscosity(3,3)) hold_block(block, axes)
+end_actions(block?) end_node_actions(body) set_node_viscosity(body, nodes, viscosity) hold_block(block, axes)
 deformation(block, values=deformation) deformations(values=deformations) set_deformation(block, gradient, rate?)
 set_stress(block, stress) add_surface_load(block, face, traction) clear_surface_loads(block)
 remove_bolt(number) bolts(list=bolts[]) block_at(place, block)
@@ -64,7 +64,8 @@ module halfspace_forwarding_worlds
     {public}
 
   !> A world with all that C does by one call; halfspace_world extends it. Arrays of blocks have the order of blocks(),
-  !! those of nodes and cells that of the mesh. Allocatable arrays are reallocated only if their size has changed.
+  !! those of nodes and cells that of the mesh. Allocatable arrays are as long as what is in them, and keep what they
+  !! have after an error.
   type, extends(block_world) :: forwarding_world
   contains
 """

@@ -27,7 +27,7 @@ CONSTANTS_HEAD = """\
 module halfspace_constants
 """
 RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state", "hs_balance", "hs_ray_hit",
-           "hs_closest_points", "hs_note"]
+           "hs_closest_points", "hs_note", "hs_world_plan"]
 # halfspace_bond and halfspace_bolt say how one is made.
 NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state", "hs_world_def": "halfspace_world_def"}
 # Structs that count indices from 1, and rows of tensors first.

@@ -56,7 +56,7 @@ MEANINGS = {
     "hs_fit_report.merged": SIZE,
     "hs_world_plan.parts": "HS_PART_",
     "hs_world_plan.limiting_bond": INDEX_OR_NONE,
-    "hs_world_plan.limiting_cell": INDEX,
+    "hs_world_plan.limiting_cell": INDEX_OR_NONE,
     "hs_strength_report.stands_at_low": FLAG,
     "hs_strength_report.falls_at_high": FLAG,
     "hs_world_def.locate_impacts": FLAG,

@@ -117,7 +117,7 @@ def raw_value(name, rust_type):
 
 
 def type_of(struct, field):
-    """Of a measure, a vector, a flag, a count or one of several constants; others are set by hand."""
+    """The type of a measure, a vector, a flag, a count or one of several constants; None for what is set by hand."""
     if f"{struct['name']}.{field['name']}" in BY_HAND:
         return None
     if field["dimensions"] in ([], [3]) and plain_type(field):

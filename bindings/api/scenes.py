@@ -4,6 +4,7 @@ import re
 
 import definitions
 import meanings
+from header import Fault
 
 HEAD = """\
 // Generated {generated}.
@@ -40,6 +41,8 @@ def word(name):
 def write_kinds(api):
     lines = HEAD.format_map(api).splitlines()
     for name, (group, _, comment) in WORDS.items():
+        if [each["value"] for each in constants(api, group)] != list(range(len(constants(api, group)))):
+            raise Fault(f"the values of {group} are not 0, 1, 2 and so on, which {name} needs")
         words = [f'"{word(each["name"])}"' for each in constants(api, group)]
         lines += ["", f"/// {comment}",
                   f"inline constexpr std::array<std::string_view, {len(words)}> {name} = {{", f"    {', '.join(words)}}};"]
@@ -48,10 +51,12 @@ def write_kinds(api):
     return "\n".join([*lines, "", "}  // namespace halfspace::cli", ""])
 
 
-def page(path):
-    """A writer of the tables of a page; all else in it is by hand."""
+def page(path, *names):
+    """A writer of the tables of a page, each below its mark; all else in it is by hand."""
     def write(api):
         text = (pathlib.Path(__file__).parents[2] / path).read_text(encoding="utf-8")
+        if [found[2] for found in TABLE.finditer(text)] != list(names):
+            raise Fault(f"{path} has not the marks of its tables: {', '.join(names)}")
         return TABLE.sub(lambda table: table[1] + "".join(f"{row}\n" for row in TABLES[table[2]](api)), text)
 
     return write
@@ -66,8 +71,9 @@ def table(*columns):
 
 
 def of_scenes(comment):
-    """A comment of C in the words of scenes."""
-    text = CONSTANT.sub(lambda name: f'`"{word(name[0])}"`', comment.replace("; 2D uses z", ""))
+    """A comment of C in the words of scenes: actions are on blocks, and a key that does not belong to a law is a fault."""
+    text = re.sub(r"; 2D uses z| or (?:of|on) nodes", "", comment).replace("are ignored", "do not belong to it")
+    text = CONSTANT.sub(lambda name: f'`"{word(name[0])}"`', text)
     text = re.sub(r"(?<![`\"\w])[a-z]+(?:_[a-z]+)+\b", lambda name: f"`{name[0]}`", text)
     return re.sub(r"\bs2\b", "s²", text)
 
@@ -95,14 +101,13 @@ def key_of_law(field):
     limits = definitions.RANGE.search(comment)
     first, clauses = comment[:limits.start()].rstrip(", "), comment[limits.end():].strip("; ").split("; ")
     unit = first if UNIT.match(first) else ""
-    meaning = field["name"].replace("_", " ")
-    meaning += "" if unit else f": {first}"
+    meaning = field["name"].replace("_", " ") if unit else first
     belonging, default = "", "required"
     for clause in map(of_scenes, clauses):
         if clause.startswith("default "):
             default = clause.removeprefix("default ") if definitions.range_of(field).with_low else default
         elif definitions.belongs(field) and re.match("(?:only|not|ignored) with ", clause):
-            belonging = "; " + re.sub("^ignored", "not", clause)
+            belonging = "; " + re.sub("^ignored", "not", re.sub(r"\bcohesion\b", "`cohesion`", clause))
         else:
             meaning += f" {clause}" if clause.startswith("of ") else f": {clause}"
     unit = of_scenes(unit).replace("`stiffness_kind`", "`stiffness`").replace("rad", "degrees")

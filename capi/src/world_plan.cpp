@@ -59,7 +59,7 @@ void count_meshes_and_bonds(const Blocks<D>& blocks, hs_world_plan& plan) {
 
 template <int D>
 void find_limit(World<D>& world, hs_world_plan& plan) {
-  plan.limiting_bond = -1;
+  plan.limiting_bond = plan.limiting_cell = -1;
   const typename StableStep<D>::Limit limit = world.state().stable_step.limit();
   if (limit.block < 0) return;
   plan.stable_time_step = limit.step;

@@ -128,6 +128,7 @@ TEST_CASE("the limit is that of the thinnest element, or of the stiffest bond") 
   const hs_world_plan by_bond = plan_of(s.world.get(), 5);
   CHECK(by_bond.limiting_body == 0);
   CHECK(by_bond.limiting_bond == 0);
+  CHECK(by_bond.limiting_cell == -1);
   CHECK(by_bond.limiting_block + by_bond.limiting_neighbor == blocks[0] + blocks[1]);
   CHECK(by_bond.stable_time_step < 1e-2 * by_element.stable_time_step);
   CHECK(by_bond.bond_seconds > 0);

@@ -19,8 +19,7 @@ module halfspace
   use halfspace_contexts, only: halfspace_allocator, halfspace_context, halfspace_version
   use halfspace_definitions, only: halfspace_angle, halfspace_motion, halfspace_pose
   use halfspace_forwarding_worlds, only: halfspace_action, halfspace_block_state, halfspace_body_state, &
-    halfspace_bond_event, halfspace_bond_report, halfspace_share_plan, halfspace_world_def, halfspace_world_plan, &
-    halfspace_world_report
+    halfspace_bond_event, halfspace_bond_report, halfspace_share_plan, halfspace_world_def, halfspace_world_report
   use halfspace_impacts, only: halfspace_impact, halfspace_time_of_impact
   use halfspace_meshes, only: halfspace_mesh, halfspace_mesh_properties
   use halfspace_pairs, only: halfspace_detect_pair, halfspace_detect_pairs, halfspace_pair_cache
@@ -28,7 +27,8 @@ module halfspace
   use halfspace_queries, only: halfspace_cast_ray, halfspace_find_box_pairs, halfspace_find_closest_points, &
     halfspace_order_along_curve
   use halfspace_records, only: halfspace_balance, halfspace_bolt_state, halfspace_bond_state, halfspace_cell_state, &
-    halfspace_closest_points, halfspace_contact, halfspace_deformation, halfspace_note, halfspace_ray_hit
+    halfspace_closest_points, halfspace_contact, halfspace_deformation, halfspace_note, halfspace_ray_hit, &
+    halfspace_world_plan
   use halfspace_relaxed_worlds, only: halfspace_strength_report
   use halfspace_settings, only: halfspace_usual_range, halfspace_usual_text
   use halfspace_shapes, only: halfspace_fit_report, halfspace_shape, halfspace_shape_properties

@@ -289,9 +289,11 @@ module halfspace_c
     real(c_double) :: cohesion = 0.0_c_double
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     real(c_double) :: tensile_strength = 0.0_c_double
-    !> damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    !> damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    !! HS_STIFFNESS_NONE
     real(c_double) :: normal_damping = 0.0_c_double
-    real(c_double) :: shear_damping = 0.0_c_double  !< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    !> damping ratio in shear (likewise), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    real(c_double) :: shear_damping = 0.0_c_double
     !> coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
     !! cohesion and tensile_strength
     real(c_double) :: restitution = 0.0_c_double
@@ -764,7 +766,7 @@ module halfspace_c
     !> index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); -1: contact
     integer(c_int64_t) :: limiting_bond = 0
     integer(c_int64_t) :: limiting_body = 0  !< body of the limiting block, if its elements limit the step; 0: contacts or bonds do
-    integer(c_int64_t) :: limiting_cell = 0  !< cell of limiting_body with the largest stiffness per mass
+    integer(c_int64_t) :: limiting_cell = 0  !< cell of limiting_body with the largest stiffness per mass; -1: none
     real(c_double) :: bond_seconds = 0.0_c_double  !< s per step: forces of bonds
     real(c_double) :: hard_contact_seconds = 0.0_c_double  !< s per step: solver of contacts without springs
     integer(c_int64_t) :: bolt_count = 0  !< bolts
@@ -839,8 +841,7 @@ module halfspace_c
     integer(c_int64_t) :: whole_count = 0  !< blocks of the whole world: own ones of all shares, and those that are everywhere
   end type hs_share_info
 
-  !> The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
-  !! first two, and the minimum of `refusal`.
+  !> The needs of the coming motion.
   type, bind(c) :: hs_share_plan
     !> 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again and
     !! renew their lists
@@ -2328,7 +2329,9 @@ module halfspace_c
       !> number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the completed
       !! steps
       integer(c_int64_t), value :: steps
-      type(hs_world_plan), intent(out) :: plan  !< receives it; fields unknown to this version of the library are 0
+      !> receives it: a part is active if its HS_PART_ bit is in `parts`; fields unknown to this version of
+      !! the library are 0
+      type(hs_world_plan), intent(out) :: plan
       integer(c_size_t), value :: size  !< sizeof(hs_world_plan) as the caller was compiled
       integer(c_int32_t) :: hs_world_get_plan
     end function hs_world_get_plan
@@ -2559,7 +2562,7 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_get_sums
     end function hs_world_get_sums
 
-    !> Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    !> Sets these sums: to those over the shares whose blocks the world has taken over, as it continues their
     !! losses; to zeros in a share without own blocks. The momentum is left as it is.
     !! Returns HS_OK or HS_ERROR_ARGUMENT
     function hs_world_set_sums(world, sums) bind(c)
@@ -2590,7 +2593,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_end_begin
     end function hs_world_end_begin
 
-    !> Plans the motion of a step, without moving any block. May be called again.
+    !> Plans the motion of a step, without moving any block. May be called again. The host combines the plans
+    !! of all shares: the maximum of needs_list and of needs_assembly, the minimum of refusal.
     !! Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
     function hs_world_plan_motion(world, plan) bind(c)
       import
@@ -2608,7 +2612,8 @@ module halfspace_c
       integer(c_int32_t) :: hs_world_renew_list
     end function hs_world_renew_list
 
-    !> Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    !> Makes the planned motion, which must be without a refusal: blocks move, and contacts and forces are
+    !! those of their new places.
     !! Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE
     function hs_world_move(world) bind(c)
       import

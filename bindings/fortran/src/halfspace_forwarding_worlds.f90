@@ -19,7 +19,6 @@ module halfspace_forwarding_worlds
     halfspace_pose => hs_pose, &
     halfspace_share_plan => hs_share_plan, &
     halfspace_world_def => hs_world_def, &
-    halfspace_world_plan => hs_world_plan, &
     halfspace_world_report => hs_world_report
   use halfspace_deformations, only: is_tensor, nine_of
   use halfspace_errors, only: conclude, had_memory
@@ -40,11 +39,11 @@ module halfspace_forwarding_worlds
     halfspace_pose, &
     halfspace_share_plan, &
     halfspace_world_def, &
-    halfspace_world_plan, &
     halfspace_world_report
 
   !> A world with all that C does by one call; halfspace_world extends it. Arrays of blocks have the order of blocks(),
-  !! those of nodes and cells that of the mesh. Allocatable arrays are reallocated only if their size has changed.
+  !! those of nodes and cells that of the mesh. Allocatable arrays are as long as what is in them, and keep what they
+  !! have after an error.
   type, extends(block_world) :: forwarding_world
   contains
     procedure :: add_material
@@ -190,21 +189,16 @@ contains
     type(halfspace_block), intent(inout), allocatable, target :: names(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_block), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_block), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_blocks(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(names)
-      if (fits) fits = size(names, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, names)
-      end if
-      status = hs_world_get_blocks(self%c_handle(), c_loc(names), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_blocks(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, names)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine blocks
@@ -452,22 +446,19 @@ contains
     type(halfspace_contact), intent(inout), allocatable, target :: list(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_contact), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_contact), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_contacts(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_contacts(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) then
+        call count_from_1(all)
+        call move_alloc(all, list)
       end if
-      status = hs_world_get_contacts(self%c_handle(), c_loc(list), count, c_null_ptr)
-      call count_from_1(list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine contacts
@@ -526,15 +517,16 @@ contains
     class(forwarding_world), intent(inout) :: self
     type(halfspace_body), intent(in) :: body
     !> Cauchy stress at the origin, in space, (row, column), 3 x 3 (2D: or 2 x 2), symmetric, Pa, tension > 0
-    real(c_double), intent(in) :: stress(3,3)
+    real(c_double), intent(in) :: stress(:,:)
     !> derivatives of the stress along x, y and z, Pa/m, (:, :, k) along axis k; default 0
     real(c_double), intent(in), optional :: gradient(3,3,3)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double), target :: given_gradient(3,3,3)
+    if (.not. is_tensor(stress, 'stress', stat, errmsg)) return
     given_gradient = 0
     if (present(gradient)) given_gradient = gradient
-    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), stress, c_loc(given_gradient)), &
+    call conclude(hs_world_set_body_stress(self%c_handle(), id_of_body(body), nine_of(stress), c_loc(given_gradient)), &
         self%c_context(), stat, errmsg)
   end subroutine set_body_stress
 
@@ -717,13 +709,14 @@ contains
     type(halfspace_body), intent(in) :: body
     integer(c_int32_t), intent(in) :: nodes(:)  !< indices of nodes, from 1
     !> of each node, (row, column), 3 x 3 (2D: or 2 x 2), symmetric, N s/m; all 0 removes the dashpot
-    real(c_double), intent(in) :: viscosity(3,3)
+    real(c_double), intent(in) :: viscosity(:,:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int32_t), allocatable, target :: from_0(:)
     if (.not. are_from_0(nodes, from_0, stat, errmsg)) return
+    if (.not. is_tensor(viscosity, 'viscosity', stat, errmsg)) return
     call conclude(hs_world_set_node_viscosity(self%c_handle(), id_of_body(body), c_loc(from_0), size(from_0, &
-        kind=c_int64_t), viscosity), self%c_context(), stat, errmsg)
+        kind=c_int64_t), nine_of(viscosity)), self%c_context(), stat, errmsg)
   end subroutine set_node_viscosity
 
   !> Holds axes of a rigid block: the velocity along them stays, whatever the forces; a block whose rotation
@@ -844,21 +837,16 @@ contains
     type(halfspace_bolt_state), intent(inout), allocatable, target :: list(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_bolt_state), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_bolt_state), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_bolts(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_bolts(self%c_handle(), c_loc(list), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_bolts(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine bolts
@@ -921,21 +909,16 @@ contains
     type(halfspace_bond_state), intent(inout), allocatable, target :: list(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_bond_state), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_bond_state), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_bonds(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_bonds(self%c_handle(), c_loc(list), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_bonds(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine bonds
@@ -947,25 +930,22 @@ contains
     integer(c_int64_t), intent(in), optional :: first  !< index of the first event to return, from 1; default 1
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_bond_event), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_bond_event), allocatable, target :: all(:)
     integer(c_int64_t) :: given_first
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     given_first = 0
     if (present(first)) given_first = first - 1
     status = hs_world_get_bond_events(self%c_handle(), given_first, c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_bond_events(self%c_handle(), given_first, c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) then
+        call count_from_1(all)
+        call move_alloc(all, list)
       end if
-      status = hs_world_get_bond_events(self%c_handle(), given_first, c_loc(list), count, c_null_ptr)
-      call count_from_1(list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine bond_events
@@ -987,22 +967,19 @@ contains
     type(halfspace_note), intent(inout), allocatable, target :: notes(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_note), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_note), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_check(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(notes)
-      if (fits) fits = size(notes, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, notes)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_check(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) then
+        call count_from_1(all)
+        call move_alloc(all, notes)
       end if
-      status = hs_world_check(self%c_handle(), c_loc(notes), count, c_null_ptr)
-      call count_from_1(notes)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine check
@@ -1014,21 +991,16 @@ contains
     type(halfspace_block), intent(inout), allocatable, target :: parts(:)  !< their ids
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_block), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_block), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_compound_parts(self%c_handle(), id_of(block), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(parts)
-      if (fits) fits = size(parts, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, parts)
-      end if
-      status = hs_world_get_compound_parts(self%c_handle(), id_of(block), c_loc(parts), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_compound_parts(self%c_handle(), id_of(block), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, parts)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine compound_parts
@@ -1068,21 +1040,16 @@ contains
     real(c_double), intent(inout), allocatable, target :: list(:)  !< kg/m3
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    real(c_double), allocatable, target :: longer_or_shorter(:)
+    real(c_double), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_densities(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_densities(self%c_handle(), c_loc(list), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_densities(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine densities
@@ -1129,26 +1096,23 @@ contains
     type(halfspace_block), intent(in), optional :: block  !< absent: actions on all blocks
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(halfspace_action), allocatable, target :: longer_or_shorter(:)
+    type(halfspace_action), allocatable, target :: all(:)
     integer(c_int64_t) :: id
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     if (.not. names_block(block, id, stat, errmsg)) return
-    status = hs_world_get_actions(self%c_handle(), id, c_null_ptr, storage_size(list, c_size_t) / 8, 0_c_int64_t, &
+    status = hs_world_get_actions(self%c_handle(), id, c_null_ptr, storage_size(all, c_size_t) / 8, 0_c_int64_t, &
         c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_actions(self%c_handle(), id, c_loc(list), storage_size(list, c_size_t) / 8, count, &
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_actions(self%c_handle(), id, c_loc(all), storage_size(all, c_size_t) / 8, count, &
         c_null_ptr)
-      call count_from_1(list)
+      if (status >= HS_OK) then
+        call count_from_1(all)
+        call move_alloc(all, list)
+      end if
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine actions
@@ -1157,18 +1121,24 @@ contains
   !! of a temporary copy, which needs the memory of a second world.
   subroutine plan(self, values, steps, stat, errmsg)
     class(forwarding_world), intent(in) :: self
-    type(halfspace_world_plan), intent(out) :: values  !< fields unknown to this version of the library are 0
+    !> : a part is active if its HS_PART_ bit is in `parts`; fields unknown to this version of the library are
+    !! 0
+    type(halfspace_world_plan), intent(out) :: values
     !> number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the completed
     !! steps; default 0
     integer, intent(in), optional :: steps
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    type(hs_world_plan) :: found
     integer(c_int64_t) :: given_steps
     integer(c_int32_t) :: status
     given_steps = 0
     if (present(steps)) given_steps = steps
-    status = hs_world_get_plan(self%c_handle(), given_steps, values, c_sizeof(values))
-    if (status >= HS_OK) call count_from_1(values)
+    status = hs_world_get_plan(self%c_handle(), given_steps, found, c_sizeof(found))
+    if (status >= HS_OK) then
+      values = transfer(found, values)
+      call count_from_1(values)
+    end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine plan
 
@@ -1242,21 +1212,16 @@ contains
     integer(c_int64_t), intent(inout), allocatable, target :: list(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    integer(c_int64_t), allocatable, target :: longer_or_shorter(:)
+    integer(c_int64_t), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_keys(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_keys(self%c_handle(), c_loc(list), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_keys(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine keys
@@ -1268,21 +1233,16 @@ contains
     integer(c_int32_t), intent(inout), allocatable, target :: list(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t), allocatable, target :: longer_or_shorter(:)
+    integer(c_int32_t), allocatable, target :: all(:)
     integer(c_int64_t), target :: count
     integer(c_int32_t) :: status
     integer :: failure
-    logical :: fits
     status = hs_world_get_roles(self%c_handle(), c_null_ptr, 0_c_int64_t, c_loc(count))
     if (status >= HS_OK) then
-      fits = allocated(list)
-      if (fits) fits = size(list, kind=c_int64_t) == count
-      if (.not. fits) then
-        allocate (longer_or_shorter(count), stat=failure)
-        if (.not. had_memory(failure, stat, errmsg)) return
-        call move_alloc(longer_or_shorter, list)
-      end if
-      status = hs_world_get_roles(self%c_handle(), c_loc(list), count, c_null_ptr)
+      allocate (all(count), stat=failure)
+      if (.not. had_memory(failure, stat, errmsg)) return
+      status = hs_world_get_roles(self%c_handle(), c_loc(all), count, c_null_ptr)
+      if (status >= HS_OK) call move_alloc(all, list)
     end if
     call conclude(status, self%c_context(), stat, errmsg)
   end subroutine roles
@@ -1299,7 +1259,7 @@ contains
     call conclude(hs_world_get_sums(self%c_handle(), c_loc(values)), self%c_context(), stat, errmsg)
   end subroutine sums
 
-  !> Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+  !> Sets these sums: to those over the shares whose blocks the world has taken over, as it continues their
   !! losses; to zeros in a share without own blocks. The momentum is left as it is.
   subroutine set_sums(self, values, stat, errmsg)
     class(forwarding_world), intent(inout) :: self
@@ -1328,7 +1288,8 @@ contains
     call conclude(hs_world_end_begin(self%c_handle()), self%c_context(), stat, errmsg)
   end subroutine end_begin
 
-  !> Plans the motion of a step, without moving any block. May be called again.
+  !> Plans the motion of a step, without moving any block. May be called again. The host combines the plans of
+  !! all shares: the maximum of needs_list and of needs_assembly, the minimum of refusal.
   subroutine plan_motion(self, plan, stat, errmsg)
     class(forwarding_world), intent(inout) :: self
     type(halfspace_share_plan), intent(out) :: plan  !< what the motion needs
@@ -1346,7 +1307,8 @@ contains
     call conclude(hs_world_renew_list(self%c_handle(), plan), self%c_context(), stat, errmsg)
   end subroutine renew_list
 
-  !> Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+  !> Makes the planned motion, which must be without a refusal: blocks move, and contacts and forces are those
+  !! of their new places.
   subroutine move(self, stat, errmsg)
     class(forwarding_world), intent(inout) :: self
     integer, intent(out), optional :: stat

@@ -57,9 +57,10 @@ contains
     real(c_double), intent(in), optional :: cohesion
     !> Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     real(c_double), intent(in), optional :: tensile_strength
-    !> damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    !> damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    !! HS_STIFFNESS_NONE
     real(c_double), intent(in), optional :: normal_damping
-    !> damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    !> damping ratio in shear (likewise), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     real(c_double), intent(in), optional :: shear_damping
     !> coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
     !! cohesion and tensile_strength

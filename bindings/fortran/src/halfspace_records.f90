@@ -5,12 +5,13 @@
 module halfspace_records
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
   use halfspace_blocks, only: halfspace_block
-  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault, hs_world_plan
+  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault
   implicit none
   private
   public :: count_from_1, &
     halfspace_contact, halfspace_deformation, halfspace_bond_state, halfspace_bolt_state, &
-    halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points, halfspace_note
+    halfspace_cell_state, halfspace_balance, halfspace_ray_hit, halfspace_closest_points, halfspace_note, &
+    halfspace_world_plan
 
   !> One contact, or the proof of separation. Points and directions are in the frame of the given poses.
   !! Detection of single pairs does not write fields that have no meaning there: ids, forces, torque and
@@ -145,6 +146,47 @@ module halfspace_records
     real(c_double) :: usual_high = 0.0_c_double  !< largest usual value
   end type halfspace_note
 
+  !> Plan of a world. Later versions may append to it.
+  type, bind(c) :: halfspace_world_plan
+    integer(c_int32_t) :: dimension = 0  !< 2 or 3
+    integer(c_int32_t) :: parts = 0  !< sum of the HS_PART_ values that are active
+    integer(c_int64_t) :: fixed_count = 0  !< fixed blocks
+    integer(c_int64_t) :: prescribed_count = 0  !< prescribed blocks
+    integer(c_int64_t) :: rigid_count = 0  !< rigid blocks
+    integer(c_int64_t) :: affine_count = 0  !< affine blocks
+    integer(c_int64_t) :: candidate_count = 0  !< pairs in the neighbour list
+    integer(c_int64_t) :: contact_count = 0  !< pairs in contact by laws with springs
+    integer(c_int64_t) :: block_bytes = 0  !< snapshot size of all blocks with their shapes, bytes
+    integer(c_int64_t) :: pair_bytes = 0  !< snapshot size of all pairs: neighbour list and shear springs, bytes
+    real(c_double) :: stable_time_step = 0.0_c_double  !< s, as in hs_world_report; 0 without blocks that move freely
+    !> block of the largest stiffness per mass, which limits the step; 0: none moves freely
+    type(halfspace_block) :: limiting_block
+    !> its neighbour at its stiffest contact or bond; 0: none, possible future contacts limit the step
+    type(halfspace_block) :: limiting_neighbor
+    integer(c_int64_t) :: measured_steps = 0  !< number of steps measured for the times below
+    real(c_double) :: search_seconds = 0.0_c_double  !< s per step: neighbour search
+    real(c_double) :: pair_seconds = 0.0_c_double  !< s per step: detection and contact forces
+    real(c_double) :: gather_seconds = 0.0_c_double  !< s per step: sums of forces on blocks
+    real(c_double) :: motion_seconds = 0.0_c_double  !< s per step: time integration of blocks, nodes and elements
+    real(c_double) :: ledger_seconds = 0.0_c_double  !< s per step: energy ledger
+    integer(c_int64_t) :: body_count = 0  !< bodies of finite elements
+    integer(c_int64_t) :: cell_count = 0  !< cells of all bodies
+    integer(c_int64_t) :: node_count = 0  !< nodes of all bodies
+    integer(c_int64_t) :: bond_count = 0  !< bonds made so far, including failed ones
+    integer(c_int64_t) :: mesh_bytes = 0  !< part of block_bytes: bodies with their nodes and cells
+    integer(c_int64_t) :: bond_bytes = 0  !< part of block_bytes: bonds with their points and events
+    !> index of the bond to the limiting neighbour, in the order of hs_world_get_bonds(); 0: contact
+    integer(c_int64_t) :: limiting_bond = 0
+    !> body of the limiting block, if its elements limit the step; 0: contacts or bonds do
+    integer(c_int64_t) :: limiting_body = 0
+    integer(c_int64_t) :: limiting_cell = 0  !< cell of limiting_body with the largest stiffness per mass; 0: none
+    real(c_double) :: bond_seconds = 0.0_c_double  !< s per step: forces of bonds
+    real(c_double) :: hard_contact_seconds = 0.0_c_double  !< s per step: solver of contacts without springs
+    integer(c_int64_t) :: bolt_count = 0  !< bolts
+    real(c_double) :: water_seconds = 0.0_c_double  !< s per step: loads of water
+    real(c_double) :: bolt_seconds = 0.0_c_double  !< s per step: forces of bolts
+  end type halfspace_world_plan
+
   !> Counts indices from 1, and rows of tensors first, in what the library has written.
   interface count_from_1
     module procedure &
@@ -216,7 +258,7 @@ contains
   end subroutine count_fault
 
   elemental subroutine count_world_plan(values)
-    type(hs_world_plan), intent(inout) :: values
+    type(halfspace_world_plan), intent(inout) :: values
     values%limiting_bond = values%limiting_bond + 1
     values%limiting_cell = values%limiting_cell + 1
   end subroutine count_world_plan

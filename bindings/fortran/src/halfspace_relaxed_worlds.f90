@@ -10,7 +10,7 @@ module halfspace_relaxed_worlds
   private
   public :: halfspace_strength_report, relaxed_world
 
-  !> halfspace_world extends it.
+  !> A world that comes to rest; halfspace_world extends it.
   type, extends(forwarding_world) :: relaxed_world
   contains
     procedure :: relax
@@ -22,7 +22,7 @@ contains
   !> Steps the world under strong damping until static equilibrium, then sets all velocities to 0. Damping and the
   !! state of hold_bonds() are restored afterwards. The time of the relaxation has no physical meaning.
   subroutine relax(self, at_rest, balance, ratio, measure, max_steps, local_damping, adaptive, hold_bonds, &
-                          stat, errmsg)
+                   stat, errmsg)
     class(relaxed_world), intent(inout) :: self
     !> .true. in equilibrium; without this argument, stat is HS_NOTE_NOT_AT_REST if it is not in equilibrium after
     !! max_steps

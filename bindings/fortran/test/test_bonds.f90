@@ -83,7 +83,7 @@ contains
     call expect(size(bonds) == 1, 'one bond')
     call expect(bonds(1)%block_a == lower .and. bonds(1)%block_b == upper, 'its blocks')
     call world%plan(plan)
-    call expect(plan%limiting_bond == 1, 'it limits the time step, and is counted from 1')
+    call expect(plan%limiting_bond == 1 .and. plan%limiting_cell == 0, 'it limits the time step, and is counted from 1')
     call expect(bonds(1)%is_joint == 1 .and. bonds(1)%point_count == 3 .and. bonds(1)%broken_count == 0, 'it holds')
     call expect_close([bonds(1)%area, bonds(1)%damage], [1.0_real64, 0.0_real64], 1e-14_real64, 'area and damage')
     call world%bond_report(report)

@@ -366,10 +366,11 @@ class hs_law_def(_Struct):
         ("cohesion", c_double),
         # Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
         ("tensile_strength", c_double),
-        # damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
-        # HS_STIFFNESS_NONE
+        # damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored
+        # with HS_STIFFNESS_NONE
         ("normal_damping", c_double),
-        ("shear_damping", c_double),  # damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+        # damping ratio in shear (likewise), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+        ("shear_damping", c_double),
         # coefficient of restitution of rigid blocks, [0, 1]; default 0; only with HS_STIFFNESS_NONE, without
         # cohesion and tensile_strength
         ("restitution", c_double),
@@ -943,7 +944,7 @@ class hs_world_plan(_Struct):
         ("limiting_bond", c_int64),
         # body of the limiting block, if its elements limit the step; 0: contacts or bonds do
         ("limiting_body", hs_body),
-        ("limiting_cell", c_int64),  # cell of limiting_body with the largest stiffness per mass
+        ("limiting_cell", c_int64),  # cell of limiting_body with the largest stiffness per mass; -1: none
         ("bond_seconds", c_double),  # s per step: forces of bonds
         ("hard_contact_seconds", c_double),  # s per step: solver of contacts without springs
         ("bolt_count", c_int64),  # bolts
@@ -1041,8 +1042,7 @@ class hs_share_info(_Struct):
 
 
 class hs_share_plan(_Struct):
-    """The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
-    first two, and the minimum of `refusal`."""
+    """The needs of the coming motion."""
 
     _fields_ = [
         # 1: blocks may meet others that are not in the list of pairs: all shares are assembled, plan again
@@ -2381,7 +2381,7 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_get_sums.restype = hs_status
 
-    # Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    # Sets these sums: to those over the shares whose blocks the world has taken over, as it continues their
     # losses; to zeros in a share without own blocks. The momentum is left as it is.
     library.hs_world_set_sums.argtypes = [
         POINTER(hs_world),  # world
@@ -2403,7 +2403,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_end_begin.restype = hs_status
 
-    # Plans the motion of a step, without moving any block. May be called again.
+    # Plans the motion of a step, without moving any block. May be called again. The host combines the plans
+    # of all shares: the maximum of needs_list and of needs_assembly, the minimum of refusal.
     library.hs_world_plan_motion.argtypes = [
         POINTER(hs_world),  # world
         POINTER(hs_share_plan),  # plan
@@ -2417,7 +2418,8 @@ def declare(library: Any) -> None:
     ]
     library.hs_world_renew_list.restype = hs_status
 
-    # Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    # Makes the planned motion, which must be without a refusal: blocks move, and contacts and forces are
+    # those of their new places.
     library.hs_world_move.argtypes = [
         POINTER(hs_world),  # world
     ]

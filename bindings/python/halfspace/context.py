@@ -244,7 +244,7 @@ class Handle(_Caller):
         return array
 
     def _records(self, kind: Type[Record], function: Any, *arguments: Any) -> Records:
-        """The same as records."""
+        """All that a function returns likewise, as records."""
         records: Records = self._array(kind._type, function, *arguments).view(Records)
         return records
 

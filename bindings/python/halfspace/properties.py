@@ -39,10 +39,10 @@ class Law(Definition):
     tensile_strength : float
         Pa, >= 0; default 0; not with StiffnessKind.POTENTIAL; of the same contacts as cohesion
     normal_damping : float
-        damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+        damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored with
         StiffnessKind.NONE
     shear_damping : float
-        damping ratio, >= 0; default 0.1; ignored with StiffnessKind.NONE
+        damping ratio in shear (likewise), >= 0; default 0.1; ignored with StiffnessKind.NONE
     restitution : float
         coefficient of restitution of rigid blocks, [0, 1]; default 0; only with StiffnessKind.NONE, without
         cohesion and tensile_strength

@@ -853,7 +853,7 @@ class WorldPlan(Record):
     limiting_body : int
         body of the limiting block, if its elements limit the step; 0: contacts or bonds do
     limiting_cell : int
-        cell of limiting_body with the largest stiffness per mass
+        cell of limiting_body with the largest stiffness per mass; -1: none
     bond_seconds : float
         s per step: forces of bonds
     hard_contact_seconds : float
@@ -1027,8 +1027,7 @@ SHARE_INFO = record_type(ShareInfo, _raw.hs_share_info)
 
 
 class SharePlan(Record):
-    """The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
-    first two, and the minimum of `refusal`.
+    """The needs of the coming motion.
 
     Attributes
     ----------

@@ -47,9 +47,10 @@ typedef struct hs_law_def {
                                  a block's first step begins, flush faces among them, until they fail */
   double tensile_strength;  /**< Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as
                                  cohesion */
-  double normal_damping;    /**< damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored
-                                 with HS_STIFFNESS_NONE */
-  double shear_damping;     /**< damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE */
+  double normal_damping;    /**< damping ratio along the normal (fraction of critical viscous damping), >= 0;
+                                 default 0.1; ignored with HS_STIFFNESS_NONE */
+  double shear_damping;     /**< damping ratio in shear (likewise), >= 0; default 0.1; ignored with
+                                 HS_STIFFNESS_NONE */
   double restitution;       /**< coefficient of restitution of rigid blocks, [0, 1]; default 0; only with
                                  HS_STIFFNESS_NONE, without cohesion and tensile_strength */
 } hs_law_def;

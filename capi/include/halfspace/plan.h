@@ -66,7 +66,7 @@ typedef struct hs_world_plan {
                                    hs_world_get_bonds(); -1: contact */
   hs_body limiting_body;      /**< body of the limiting block, if its elements limit the step; 0: contacts or
                                    bonds do */
-  int64_t limiting_cell;      /**< cell of limiting_body with the largest stiffness per mass */
+  int64_t limiting_cell;      /**< cell of limiting_body with the largest stiffness per mass; -1: none */
   double bond_seconds;        /**< s per step: forces of bonds */
   double hard_contact_seconds; /**< s per step: solver of contacts without springs */
   int64_t bolt_count;         /**< bolts */
@@ -79,7 +79,8 @@ typedef struct hs_world_plan {
  *  @param world not NULL
  *  @param steps number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
  *         completed steps
- *  @param plan receives it; fields unknown to this version of the library are 0
+ *  @param plan receives it: a part is active if its HS_PART_ bit is in `parts`; fields unknown to this version of
+ *         the library are 0
  *  @param size sizeof(hs_world_plan) as the caller was compiled
  *  @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world. */
 HS_CHECKED hs_status hs_world_get_plan(const hs_world *world, int64_t steps, hs_world_plan *plan,

@@ -74,8 +74,7 @@ typedef struct hs_share_info {
   int64_t whole_count; /**< blocks of the whole world: own ones of all shares, and those that are everywhere */
 } hs_share_info;
 
-/** The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the first
- *  two, and the minimum of `refusal`. */
+/** The needs of the coming motion. */
 typedef struct hs_share_plan {
   int32_t needs_list;     /**< 1: blocks may meet others that are not in the list of pairs: all shares are
                                assembled, plan again and renew their lists */
@@ -159,7 +158,7 @@ HS_CHECKED hs_status hs_world_assemble(hs_context *context, hs_world *from, cons
  *  @return HS_OK or HS_ERROR_ARGUMENT */
 HS_CHECKED hs_status hs_world_get_sums(const hs_world *world, double sums[]);
 
-/** @brief Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+/** @brief Sets these sums: to those over the shares whose blocks the world has taken over, as it continues their
  *  losses; to zeros in a share without own blocks. The momentum is left as it is.
  *  @param world a share or a whole world @param sums HS_SUM_COUNT values, of which energies, losses and powers
  *         are finite; those of the momentum are ignored
@@ -179,7 +178,8 @@ HS_CHECKED hs_status hs_world_begin(hs_world *world);
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_end_begin(hs_world *world);
 
-/** @brief Plans the motion of a step, without moving any block. May be called again.
+/** @brief Plans the motion of a step, without moving any block. May be called again. The host combines the plans
+ *  of all shares: the maximum of needs_list and of needs_assembly, the minimum of refusal.
  *  @param world a share or a whole world, begun @param plan receives what the motion needs
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_plan_motion(hs_world *world, hs_share_plan *plan);
@@ -189,7 +189,8 @@ HS_CHECKED hs_status hs_world_plan_motion(hs_world *world, hs_share_plan *plan);
  *  @return HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY */
 HS_CHECKED hs_status hs_world_renew_list(hs_world *world, hs_share_plan *plan);
 
-/** @brief Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+/** @brief Makes the planned motion, which must be without a refusal: blocks move, and contacts and forces are those
+ *  of their new places.
  *  @param world planned, without a refusal @return HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_STATE */
 HS_CHECKED hs_status hs_world_move(hs_world *world);
 

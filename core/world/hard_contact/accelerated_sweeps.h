@@ -11,7 +11,8 @@ namespace halfspace {
 /// Projected Gauss-Seidel (NLGS, Jean 1999): sweeps over rows, in turn forwards and backwards, accelerated by
 /// nonsmooth conjugate gradients after each two. Rows are manifolds (ManifoldRows), points (PointRows), or
 /// both (MixedRows). They have `sweep(is_backwards)`, which returns the largest change, as a velocity;
-/// `squared_change()` and `accelerate(direction)`; and `restart_acceleration()`, where it is called here.
+/// `squared_change()` and `accelerate(direction)`; those that are restarted also have
+/// `restart_acceleration()`.
 template <class Rows>
 class AcceleratedSweeps {
  public:

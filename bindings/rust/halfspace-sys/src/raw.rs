@@ -511,10 +511,10 @@ pub struct hs_law_def {
     pub cohesion: f64,
     /// Pa, >= 0; default 0; not with HS_STIFFNESS_POTENTIAL; of the same contacts as cohesion
     pub tensile_strength: f64,
-    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    /// damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored with
     /// HS_STIFFNESS_NONE
     pub normal_damping: f64,
-    /// damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    /// damping ratio in shear (likewise), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     pub shear_damping: f64,
     /// coefficient of restitution of rigid blocks, \[0, 1\]; default 0; only with HS_STIFFNESS_NONE, without
     /// cohesion and tensile_strength
@@ -1304,7 +1304,7 @@ pub struct hs_world_plan {
     pub limiting_bond: i64,
     /// body of the limiting block, if its elements limit the step; 0: contacts or bonds do
     pub limiting_body: hs_body,
-    /// cell of limiting_body with the largest stiffness per mass
+    /// cell of limiting_body with the largest stiffness per mass; -1: none
     pub limiting_cell: i64,
     /// s per step: forces of bonds
     pub bond_seconds: f64,
@@ -1435,8 +1435,7 @@ pub struct hs_share_info {
 }
 const _: () = assert!(std::mem::size_of::<hs_share_info>() == 56);
 
-/// The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
-/// first two, and the minimum of `refusal`.
+/// The needs of the coming motion.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct hs_share_plan {
@@ -3210,7 +3209,8 @@ extern "C" {
     /// - `world`: not NULL
     /// - `steps`: number of steps to measure, >= 0; 0 measures no times. If the copy fails, times are of the
     ///   completed steps
-    /// - `plan`: receives it; fields unknown to this version of the library are 0
+    /// - `plan`: receives it: a part is active if its HS_PART_ bit is in `parts`; fields unknown to this
+    ///   version of the library are 0
     /// - `size`: sizeof(hs_world_plan) as the caller was compiled
     ///
     /// Returns HS_OK, HS_ERROR_ARGUMENT or HS_ERROR_OUT_OF_MEMORY. Thread rule: as for the world.
@@ -3496,7 +3496,7 @@ extern "C" {
     /// Returns HS_OK or HS_ERROR_ARGUMENT
     pub fn hs_world_get_sums(world: *const hs_world, sums: *mut f64) -> hs_status;
 
-    /// Sets them: to the sums over the shares whose blocks the world has taken over, as it continues their
+    /// Sets these sums: to those over the shares whose blocks the world has taken over, as it continues their
     /// losses; to zeros in a share without own blocks. The momentum is left as it is.
     ///
     /// - `world`: a share or a whole world
@@ -3523,7 +3523,8 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_end_begin(world: *mut hs_world) -> hs_status;
 
-    /// Plans the motion of a step, without moving any block. May be called again.
+    /// Plans the motion of a step, without moving any block. May be called again. The host combines the plans
+    /// of all shares: the maximum of needs_list and of needs_assembly, the minimum of refusal.
     ///
     /// - `world`: a share or a whole world, begun
     /// - `plan`: receives what the motion needs
@@ -3539,7 +3540,8 @@ extern "C" {
     /// Returns HS_OK, HS_ERROR_ARGUMENT, HS_ERROR_STATE or HS_ERROR_OUT_OF_MEMORY
     pub fn hs_world_renew_list(world: *mut hs_world, plan: *mut hs_share_plan) -> hs_status;
 
-    /// Makes the planned motion: blocks move, and contacts and forces are those of their new places.
+    /// Makes the planned motion, which must be without a refusal: blocks move, and contacts and forces are
+    /// those of their new places.
     ///
     /// - `world`: planned, without a refusal
     ///

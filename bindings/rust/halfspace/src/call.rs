@@ -27,33 +27,44 @@ use crate::Result;
 ///
 /// Arguments are values and references. `[array]` stands for two of them, the first element and the number of
 /// elements; `[mut array]` is written. A pointer has `unsafe` before it, e.g. to an array whose length is that of
-/// another one: whoever calls the function ensures that it may use the memory.
+/// another one: whoever calls the function ensures that it may use the memory. Arguments are computed before the call,
+/// and temporary values live until it ends.
 macro_rules! call {
     (mut $object:expr => $function:ident($($arguments:tt)*)) => {
-        call!(@ $object, $object.object.handle_mut(), $function, () $($arguments)*)
+        match $object.object.handle_mut() {
+            handle => call!(@ $object, handle, $function, () $($arguments)*),
+        }
     };
-    (@ $object:expr, $handle:expr, $function:ident, ($($done:expr,)*)) => {{
+    (@ $object:expr, $handle:ident, $function:ident, ($($done:ident,)*)) => {{
         // SAFETY: the object lives, and is borrowed mutably if the function changes it. References are valid during
         // the call, arrays are as long as said, and the caller answers for pointers.
         let status = unsafe { halfspace_sys::$function($handle, $($done),*) };
         $object.object.owner().check(status)
     }};
-    (@ $object:expr, $handle:expr, $function:ident, ($($done:expr,)*) [mut $array:expr] $(, $($rest:tt)*)?) => {
-        call!(@ $object, $handle, $function, ($($done,)* $crate::call::Array::first_mut(&mut $array[..]),
-            $crate::call::Argument::raw($array.len()),) $($($rest)*)?)
+    (@ $object:expr, $handle:ident, $function:ident, ($($done:ident,)*) [mut $array:expr] $(, $($rest:tt)*)?) => {
+        match ($crate::call::Array::first_mut(&mut $array[..]), $crate::call::Argument::raw($array.len())) {
+            (first, length) => call!(@ $object, $handle, $function, ($($done,)* first, length,) $($($rest)*)?),
+        }
     };
-    (@ $object:expr, $handle:expr, $function:ident, ($($done:expr,)*) [$array:expr] $(, $($rest:tt)*)?) => {
-        call!(@ $object, $handle, $function, ($($done,)* $crate::call::Array::first(&$array[..]),
-            $crate::call::Argument::raw($array.len()),) $($($rest)*)?)
+    (@ $object:expr, $handle:ident, $function:ident, ($($done:ident,)*) [$array:expr] $(, $($rest:tt)*)?) => {
+        match ($crate::call::Array::first(&$array[..]), $crate::call::Argument::raw($array.len())) {
+            (first, length) => call!(@ $object, $handle, $function, ($($done,)* first, length,) $($($rest)*)?),
+        }
     };
-    (@ $object:expr, $handle:expr, $function:ident, ($($done:expr,)*) unsafe $pointer:expr $(, $($rest:tt)*)?) => {
-        call!(@ $object, $handle, $function, ($($done,)* $pointer,) $($($rest)*)?)
+    (@ $object:expr, $handle:ident, $function:ident, ($($done:ident,)*) unsafe $pointer:expr $(, $($rest:tt)*)?) => {
+        match $pointer {
+            pointer => call!(@ $object, $handle, $function, ($($done,)* pointer,) $($($rest)*)?),
+        }
     };
-    (@ $object:expr, $handle:expr, $function:ident, ($($done:expr,)*) $argument:expr $(, $($rest:tt)*)?) => {
-        call!(@ $object, $handle, $function, ($($done,)* $crate::call::Argument::raw($argument),) $($($rest)*)?)
+    (@ $object:expr, $handle:ident, $function:ident, ($($done:ident,)*) $argument:expr $(, $($rest:tt)*)?) => {
+        match $crate::call::Argument::raw($argument) {
+            argument => call!(@ $object, $handle, $function, ($($done,)* argument,) $($($rest)*)?),
+        }
     };
     ($object:expr => $function:ident($($arguments:tt)*)) => {
-        call!(@ $object, $object.object.handle(), $function, () $($arguments)*)
+        match $object.object.handle() {
+            handle => call!(@ $object, handle, $function, () $($arguments)*),
+        }
     };
 }
 
@@ -248,15 +259,16 @@ pub(crate) fn sure<T>(result: Result<T>) -> T {
 }
 
 /// A definition as a function of the library fills it.
-pub(crate) fn initial<Def>(init: impl FnOnce(*mut Def, usize) -> sys::hs_status) -> Def {
-    let mut raw = MaybeUninit::<Def>::zeroed();
-    init(raw.as_mut_ptr(), size_of::<Def>());
-    // SAFETY: all zero is valid for definitions of C, and the function has filled it.
-    unsafe { raw.assume_init() }
+pub(crate) fn initial<Def: Default>(init: impl FnOnce(*mut Def, usize) -> sys::hs_status) -> Def {
+    let mut raw = Def::default();
+    init(&mut raw, size_of::<Def>());
+    raw
 }
 
 /// A definition with the library's defaults.
-pub(crate) fn defaults<Def>(init: unsafe extern "C" fn(*mut Def, usize) -> sys::hs_status) -> Def {
+pub(crate) fn defaults<Def: Default>(
+    init: unsafe extern "C" fn(*mut Def, usize) -> sys::hs_status,
+) -> Def {
     // SAFETY: the size is that of the struct.
     initial(|def, size| unsafe { init(def, size) })
 }

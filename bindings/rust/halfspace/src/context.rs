@@ -3,6 +3,7 @@
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::CStr;
 use std::marker::PhantomData;
+use std::mem::{size_of, MaybeUninit};
 use std::os::raw::{c_char, c_void};
 use std::ptr::{self, NonNull};
 use std::rc::Rc;
@@ -11,7 +12,6 @@ use std::sync::Arc;
 
 use halfspace_sys as sys;
 
-use crate::call::defaults;
 use crate::error::{Error, ErrorKind};
 use crate::Result;
 
@@ -46,7 +46,7 @@ impl Context {
     /// Creates a context whose worlds are stepped by 1 to 256 threads. Results are bit-identical
     /// for any number.
     pub fn with_threads(threads: i32) -> Result<Self> {
-        let mut def = defaults(sys::hs_context_def_init);
+        let mut def = defaults();
         def.threads = threads;
         // SAFETY: the definition is valid, except for the number, which the library checks.
         unsafe { Self::create(&def) }
@@ -54,7 +54,7 @@ impl Context {
 
     /// Creates a context that uses the global allocator of the Rust program.
     pub fn with_global_allocator() -> Result<Self> {
-        let mut def = defaults(sys::hs_context_def_init);
+        let mut def = defaults();
         def.allocate = Some(allocate);
         def.release = Some(release);
         // SAFETY: both functions are set and may be called at any time from any thread.
@@ -161,6 +161,16 @@ pub fn version() -> &'static str {
     unsafe { CStr::from_ptr(sys::hs_version()) }
         .to_str()
         .unwrap_or_default()
+}
+
+/// It has pointers, so it has no `Default`.
+fn defaults() -> sys::hs_context_def {
+    let mut def = MaybeUninit::<sys::hs_context_def>::zeroed();
+    // SAFETY: the size is that of the struct, for which all zero is valid.
+    unsafe {
+        sys::hs_context_def_init(def.as_mut_ptr(), size_of::<sys::hs_context_def>());
+        def.assume_init()
+    }
 }
 
 unsafe extern "C" fn allocate(bytes: usize, alignment: usize, _: *mut c_void) -> *mut c_void {

@@ -112,14 +112,14 @@ impl Law {
         self
     }
 
-    /// damping ratio (fraction of critical viscous damping), >= 0; default 0.1; ignored with
+    /// damping ratio along the normal (fraction of critical viscous damping), >= 0; default 0.1; ignored with
     /// HS_STIFFNESS_NONE
     pub fn normal_damping(mut self, normal_damping: f64) -> Self {
         self.raw.normal_damping = normal_damping;
         self
     }
 
-    /// damping ratio, >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
+    /// damping ratio in shear (likewise), >= 0; default 0.1; ignored with HS_STIFFNESS_NONE
     pub fn shear_damping(mut self, shear_damping: f64) -> Self {
         self.raw.shear_damping = shear_damping;
         self

@@ -972,8 +972,7 @@ impl From<sys::hs_share_info> for ShareInfo {
     }
 }
 
-/// The needs of the coming motion. The host combines the plans of all shares by the maximum of each of the
-/// first two, and the minimum of `refusal`.
+/// The needs of the coming motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SharePlan {
