@@ -41,7 +41,7 @@ class Method:
     """What it declares, does before the call, passes to C, and does after a success."""
 
     def __init__(self, api, names, name, c_name, arguments):
-        self.raw, self.words, self.name = Writer(api), Words(names), name
+        self.raw, self.words, self.name, self.counted = Writer(api), Words(names), name, fortran_records.counted(api)
         in_c = [prefix + (c_name or name) for prefix in ("hs_world_get_", "hs_world_")]
         self.function = next(function for function in api["functions"] if function["name"] in in_c)
         self.dummies, self.locals, self.before, self.after, self.structs = [], [], [], [], set()
@@ -155,7 +155,7 @@ class Method:
         self.declare(argument, f"{declared}, intent(inout), target, contiguous", "(:)")
         size = f"size({name}, kind=c_int64_t)"
         self.values |= {argument.c_name: f"c_loc({name})", "capacity": size, "count": "c_null_ptr"}
-        if argument.of in fortran_records.COUNTED:
+        if argument.of in self.counted:
             self.locals.append("integer(c_int64_t), target :: found")
             self.before.append("found = 0")
             self.values["count"] = "c_loc(found)"
@@ -190,7 +190,7 @@ class Method:
             passed = "found"
             self.locals.append(f"type({argument.of}) :: found")
             self.after.append(f"{name} = transfer(found, {name})")
-        if argument.is_result and argument.of in fortran_records.COUNTED:
+        if argument.is_result and argument.of in self.counted:
             self.after.append(f"call count_from_1({name})")
         self.values |= {argument.c_name: passed, "size": f"c_sizeof({passed})"}
 
@@ -222,7 +222,7 @@ class Method:
         name, declared = self.list.name, self.type_of(self.list.of)
         count = self.call(**{self.list.c_name: "c_null_ptr", "capacity": "0_c_int64_t", "count": "c_loc(count)"})
         fill = self.call(**{self.list.c_name: "c_loc(all)", "capacity": "count", "count": "c_null_ptr"})
-        done = ["call count_from_1(all)"] * (self.list.of in fortran_records.COUNTED) + [f"call move_alloc(all, {name})"]
+        done = ["call count_from_1(all)"] * (self.list.of in self.counted) + [f"call move_alloc(all, {name})"]
         return [f"{declared}, allocatable, target :: all(:)", *self.locals,
                 "integer(c_int64_t), target :: count", "integer(c_int32_t) :: status", "integer :: failure",
                 *self.before, f"status = {count}", "if (status >= HS_OK) then",

@@ -30,19 +30,25 @@ RECORDS = ["hs_contact", "hs_deformation", "hs_bond", "hs_bolt", "hs_cell_state"
            "hs_closest_points", "hs_note", "hs_world_plan"]
 # halfspace_bond and halfspace_bolt say how one is made.
 NAMES = {"hs_bond": "halfspace_bond_state", "hs_bolt": "halfspace_bolt_state", "hs_world_def": "halfspace_world_def"}
-# Structs that count indices from 1, and rows of tensors first.
-COUNTED = ["hs_contact", "hs_deformation", "hs_cell_state", "hs_ray_hit", "hs_note", "hs_action_def", "hs_block_state",
-           "hs_bond_event", "hs_fault", "hs_world_plan"]
+# Structs with indices or tensors that no function of Fortran returns as they are: an impact has indices where there is
+# one only, a motion is given, and a cache is C's.
+AS_IN_C = {"hs_impact", "hs_motion_def", "hs_pair_cache"}
 
 
 def name_of(struct_name):
     return NAMES.get(struct_name) or struct_name.replace("hs_", "halfspace_", 1).removesuffix("_def")
 
 
+def counted(api):
+    """Structs that count indices from 1, and rows of tensors first."""
+    return [struct["name"] for struct in api["structs"] if struct["name"] not in AS_IN_C
+            and any(is_index(struct, field) or shape_of(field) == [3, 3] for field in struct["fields"])]
+
+
 def write(api):
     names = " &\n    ".join(textwrap.wrap(", ".join(map(name_of, RECORDS)), 104))
-    counted = ", ".join(name for name in COUNTED if name not in RECORDS)
-    lines = [*HEAD.format(generated=api["generated"], names=names, counted=counted).splitlines()]
+    of_c = ", ".join(name for name in counted(api) if name not in RECORDS)
+    lines = [*HEAD.format(generated=api["generated"], names=names, counted=of_c).splitlines()]
     for name in RECORDS:
         struct = meanings.find(api, name)
         lines += ["", *above("  ", struct["comment"]), f"  type, bind(c) :: {name_of(name)}"]
@@ -51,8 +57,8 @@ def write(api):
         lines.append(f"  end type {name_of(name)}")
     lines += ["", "  !> Counts indices from 1, and rows of tensors first, in what the library has written.",
               "  interface count_from_1", "    module procedure &",
-              ", &\n".join(f"      {name.replace('hs_', 'count_')}" for name in COUNTED), "  end interface", "", "contains"]
-    for name in COUNTED:
+              ", &\n".join(f"      {name.replace('hs_', 'count_')}" for name in counted(api)), "  end interface", "", "contains"]
+    for name in counted(api):
         lines += ["", *counting(name, meanings.find(api, name))]
     return "\n".join([*lines, "", "end module halfspace_records", ""])
 

@@ -95,6 +95,11 @@ def find(api, name):
     return next(struct for struct in api["structs"] if struct["name"] == name)
 
 
+def constants(api, group):
+    """Those whose names begin with `group`."""
+    return next(each["constants"] for each in api["constants"] if each["group"] == group)
+
+
 def camel(words):
     """vertex_face or VERTEX_FACE as VertexFace."""
     return "".join(word.capitalize() for word in words.split("_"))

@@ -77,9 +77,8 @@ def write(api):
 
 def kinds_of_action(api):
     """The comments of these constants begin with the unit."""
-    group = next(group for group in api["constants"] if group["group"] == ACTIONS)
     lines = []
-    for each in group["constants"]:
+    for each in meanings.constants(api, ACTIONS):
         name = function_of_kind(each["name"])
         if each["name"] not in TAKES_MORE:
             words = f"{name.capitalize().replace('_', ' ')}, in {each['comment']}."

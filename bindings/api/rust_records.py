@@ -123,9 +123,8 @@ def shown_fields(api, struct, by_hand):
 
 def parts(api, field, prefix):
     """Each constant of a sum is a field of its own."""
-    group = next(group for group in api["constants"] if group["group"] == prefix)
     return [ByHand(each["name"].removeprefix(prefix).lower(), "bool", f"raw.{field['name']} & sys::{each['name']} != 0",
-                   each["comment"], ()) for each in group["constants"]]
+                   each["comment"], ()) for each in meanings.constants(api, prefix)]
 
 
 def converted(struct, field, raw):

@@ -3,6 +3,7 @@ import pathlib
 import re
 
 import definitions
+import law_numbers
 import meanings
 from header import Fault
 
@@ -29,10 +30,6 @@ CONSTANT = re.compile(r"(HS_STIFFNESS_|HS_ACTION_)(\w+)")
 UNIT = re.compile(r"(?:N|Pa|rad|m)\b")
 
 
-def constants(api, group):
-    return next(each["constants"] for each in api["constants"] if each["group"] == group)
-
-
 def word(name):
     joint = next(joint for group, joint, _ in WORDS.values() if name.startswith(group))
     return CONSTANT.match(name)[2].lower().replace("_", joint)
@@ -41,12 +38,14 @@ def word(name):
 def write_kinds(api):
     lines = HEAD.format_map(api).splitlines()
     for name, (group, _, comment) in WORDS.items():
-        if [each["value"] for each in constants(api, group)] != list(range(len(constants(api, group)))):
+        constants = meanings.constants(api, group)
+        if [each["value"] for each in constants] != list(range(len(constants))):
             raise Fault(f"the values of {group} are not 0, 1, 2 and so on, which {name} needs")
-        words = [f'"{word(each["name"])}"' for each in constants(api, group)]
+        words = [f'"{word(each["name"])}"' for each in constants]
         lines += ["", f"/// {comment}",
                   f"inline constexpr std::array<std::string_view, {len(words)}> {name} = {{", f"    {', '.join(words)}}};"]
-    loads = [f"action_kind == {each['name']}" for each in constants(api, "HS_ACTION_") if LOADED in each["comment"]]
+    loads = [f"action_kind == {each['name']}" for each in meanings.constants(api, "HS_ACTION_")
+             if LOADED in each["comment"]]
     lines += ["", "inline bool is_load(int action_kind) {", f"  return {' || '.join(loads)};", "}"]
     return "\n".join([*lines, "", "}  // namespace halfspace::cli", ""])
 
@@ -79,13 +78,17 @@ def of_scenes(comment):
 
 
 def kinds_of_action(api):
-    return table("kind", "unit and block") + [
-        row(f'`"{word(each["name"])}"`', of_scenes(each["comment"])) for each in constants(api, "HS_ACTION_")]
+    return kinds(api, "HS_ACTION_", "kind", "unit and block")
 
 
 def kinds_of_stiffness(api):
-    return table("stiffness", "unit and meaning") + [
-        row(f'`"{word(each["name"])}"`', of_scenes(each["comment"])) for each in constants(api, "HS_STIFFNESS_")]
+    return kinds(api, "HS_STIFFNESS_", "stiffness", "unit and meaning")
+
+
+def kinds(api, group, *columns):
+    """The word of each constant, and what it is."""
+    return table(*columns) + [row(of_scenes(each["name"]), of_scenes(each["comment"]))
+                              for each in meanings.constants(api, group)]
 
 
 def keys_of_laws(api):
@@ -118,7 +121,8 @@ def range_of(field):
     low, with_low, high, with_high = definitions.range_of(field)
     if high is None:
         return f"{'at least' if with_low else 'above'} {low}"
-    return ("" if with_low else "above ") + f"{low} to " + ("" if with_high else "below ") + high.replace("pi/2", "90")
+    high = law_numbers.IN_DEGREES.get(high, high)
+    return ("" if with_low else "above ") + f"{low} to " + ("" if with_high else "below ") + high
 
 
 TABLES = {"Keys": keys_of_laws, "Kinds of stiffness": kinds_of_stiffness, "Kinds of action": kinds_of_action}

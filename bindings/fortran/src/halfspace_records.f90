@@ -5,7 +5,7 @@
 module halfspace_records
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
   use halfspace_blocks, only: halfspace_block
-  use halfspace_c, only: hs_action_def, hs_block_state, hs_bond_event, hs_fault
+  use halfspace_c, only: hs_fault, hs_block_state, hs_action_def, hs_bond_event
   implicit none
   private
   public :: count_from_1, &
@@ -191,15 +191,15 @@ module halfspace_records
   interface count_from_1
     module procedure &
       count_contact, &
-      count_deformation, &
-      count_cell_state, &
-      count_ray_hit, &
-      count_note, &
-      count_action_def, &
-      count_block_state, &
-      count_bond_event, &
       count_fault, &
-      count_world_plan
+      count_block_state, &
+      count_cell_state, &
+      count_action_def, &
+      count_deformation, &
+      count_bond_event, &
+      count_note, &
+      count_world_plan, &
+      count_ray_hit
   end interface
 
 contains
@@ -210,6 +210,28 @@ contains
     values%feature_b = values%feature_b + 1
   end subroutine count_contact
 
+  elemental subroutine count_fault(values)
+    type(hs_fault), intent(inout) :: values
+    values%vertex = values%vertex + 1
+    values%face = values%face + 1
+  end subroutine count_fault
+
+  elemental subroutine count_block_state(values)
+    type(hs_block_state), intent(inout) :: values
+    values%material = values%material + 1
+  end subroutine count_block_state
+
+  elemental subroutine count_cell_state(values)
+    type(halfspace_cell_state), intent(inout) :: values
+    values%strain = transpose(values%strain)
+    values%stress = transpose(values%stress)
+  end subroutine count_cell_state
+
+  elemental subroutine count_action_def(values)
+    type(hs_action_def), intent(inout) :: values
+    values%table = values%table + 1
+  end subroutine count_action_def
+
   elemental subroutine count_deformation(values)
     type(halfspace_deformation), intent(inout) :: values
     values%gradient = transpose(values%gradient)
@@ -218,16 +240,11 @@ contains
     values%stress = transpose(values%stress)
   end subroutine count_deformation
 
-  elemental subroutine count_cell_state(values)
-    type(halfspace_cell_state), intent(inout) :: values
-    values%strain = transpose(values%strain)
-    values%stress = transpose(values%stress)
-  end subroutine count_cell_state
-
-  elemental subroutine count_ray_hit(values)
-    type(halfspace_ray_hit), intent(inout) :: values
-    values%face = values%face + 1
-  end subroutine count_ray_hit
+  elemental subroutine count_bond_event(values)
+    type(hs_bond_event), intent(inout) :: values
+    values%bond = values%bond + 1
+    values%point = values%point + 1
+  end subroutine count_bond_event
 
   elemental subroutine count_note(values)
     type(halfspace_note), intent(inout) :: values
@@ -235,32 +252,15 @@ contains
     values%material_b = values%material_b + 1
   end subroutine count_note
 
-  elemental subroutine count_action_def(values)
-    type(hs_action_def), intent(inout) :: values
-    values%table = values%table + 1
-  end subroutine count_action_def
-
-  elemental subroutine count_block_state(values)
-    type(hs_block_state), intent(inout) :: values
-    values%material = values%material + 1
-  end subroutine count_block_state
-
-  elemental subroutine count_bond_event(values)
-    type(hs_bond_event), intent(inout) :: values
-    values%bond = values%bond + 1
-    values%point = values%point + 1
-  end subroutine count_bond_event
-
-  elemental subroutine count_fault(values)
-    type(hs_fault), intent(inout) :: values
-    values%vertex = values%vertex + 1
-    values%face = values%face + 1
-  end subroutine count_fault
-
   elemental subroutine count_world_plan(values)
     type(halfspace_world_plan), intent(inout) :: values
     values%limiting_bond = values%limiting_bond + 1
     values%limiting_cell = values%limiting_cell + 1
   end subroutine count_world_plan
+
+  elemental subroutine count_ray_hit(values)
+    type(halfspace_ray_hit), intent(inout) :: values
+    values%face = values%face + 1
+  end subroutine count_ray_hit
 
 end module halfspace_records
