@@ -46,7 +46,7 @@ struct TwoBlocks {
     const PairMotion<3> motion{blocks.velocity[1] - blocks.velocity[0], to_b(), blocks.spin[0],
                                blocks.spin[1]};
     energy = {};
-    const Spring<3> spring(law, 1, elapsed);
+    const Spring<3> spring{law, 1, elapsed};
     PressureRoom<3> room(std::pmr::get_default_resource());
     return law.is_per_area() ? spring.evaluate(contact, pressure_between(a, b, to_b(), pair, room), motion,
                                                shear, bonded, energy)
