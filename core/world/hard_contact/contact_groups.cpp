@@ -178,18 +178,21 @@ template <class Four, bool changes>
     }
     largest = max(largest, abs(by) * lanes<Four>(row.inverse_mass));
   };
-  const auto stopping = [&](const Row& row, const Four& mass) __attribute__((always_inline)) {
-    return lanes<Four>(row.impulse) - (pairs.a.velocity_of(pairs.b, row) - lanes<Four>(row.target)) * mass;
+  const auto excess_of = [&](const Row& row) __attribute__((always_inline)) {
+    return pairs.a.velocity_of(pairs.b, row) - lanes<Four>(row.target);
+  };
+  const auto stopping = [&](const Row& row, const Four& excess) __attribute__((always_inline)) {
+    return lanes<Four>(row.impulse) - excess * lanes<Four>(row.mass);
   };
   Row* const rows = rows_.data() + group.first_row;
   for (std::int32_t i = 0; i < group.normal_count; ++i) {
-    const Four impulse = max(none, stopping(rows[i], lanes<Four>(rows[i].mass)));
+    const Four impulse = max(none, stopping(rows[i], excess_of(rows[i])));
     load = load + impulse;
     change(rows[i], impulse);
   }
   Row* const friction = rows + group.normal_count;
   const Four bound = has_friction ? lanes<Four>(group.tan_friction) * load : none;
-  const auto reverse = [&](Four * impulse) __attribute__((always_inline)) {
+  const auto reverse = [&](const Four* excess, Four* impulse) __attribute__((always_inline)) {
     if (!group.slips) return none;
     const Four one = all_four<Four>(1), least = all_four<Four>(min_divisor);
     Four square = none;
@@ -198,7 +201,8 @@ template <class Four, bool changes>
     const Four slip = sqrt(square), inverse_slip = one / max(slip, least);
     const auto row_of = [&](int k) __attribute__((always_inline)) {
       return SlippingRow<Four>{lanes<Four>(friction[k].slip) * inverse_slip,
-                               lanes<Four>(friction[k].inverse_mass), lanes<Four>(friction[k].impulse)};
+                               lanes<Four>(friction[k].inverse_mass), lanes<Four>(friction[k].impulse),
+                               excess[k]};
     };
     const Four of_translation = lanes<Four>(group.inverse_mass_a) + lanes<Four>(group.inverse_mass_b);
     return reverse_slip<Four>(group.friction_count, slip, row_of, of_translation, bound, impulse, none, one,
@@ -206,26 +210,29 @@ template <class Four, bool changes>
   };
   if constexpr (D == 2) {
     if (group.friction_count > 0) {
-      Four impulse = stopping(friction[0], lanes<Four>(friction[0].mass));
+      const Four excess = excess_of(friction[0]);
+      Four impulse = stopping(friction[0], excess);
       const Four within = max(none - bound, min(bound, impulse));
-      const Four reversed = reverse(&impulse);
+      const Four reversed = reverse(&excess, &impulse);
       change(friction[0], select_less(none, reversed, impulse, within));
     }
   } else {
     // Where friction would exceed its bound, all its rows have the same mass, so that it opposes the slip.
-    constexpr double no_row = 1e300;
-    Four within[3], beyond[3], common = all_four<Four>(no_row), square = none, square_beyond = none;
+    const Four sliding_mass = lanes<Four>(group.sliding_mass);
+    Four excess[3], within[3], beyond[3], square = none, square_beyond = none;
     for (std::int32_t k = 0; k < group.friction_count; ++k) {
-      const Four mass = lanes<Four>(friction[k].mass);
-      common = min(common, select_less(none, mass, mass, all_four<Four>(no_row)));
-      within[k] = stopping(friction[k], mass);
+      excess[k] = excess_of(friction[k]);
+      Four left = excess[k];
+      for (std::int32_t j = 0; j < k; ++j) {
+        const Four by = within[j] - lanes<Four>(friction[j].impulse);
+        left = left + lanes<Four>(group.coupling[std::size_t(k + j - 1)]) * by;
+      }
+      within[k] = stopping(friction[k], left);
       square = square + within[k] * within[k];
-    }
-    for (std::int32_t k = 0; k < group.friction_count; ++k) {
-      beyond[k] = stopping(friction[k], common);
+      beyond[k] = lanes<Four>(friction[k].impulse) - excess[k] * sliding_mass;
       square_beyond = square_beyond + beyond[k] * beyond[k];
     }
-    const Four reversed = reverse(within);
+    const Four reversed = reverse(excess, within);
     const Four size = sqrt(square), size_beyond = max(sqrt(square_beyond), all_four<Four>(min_divisor));
     const Four scale = min(all_four<Four>(1), bound / size_beyond);
     for (std::int32_t k = 0; k < group.friction_count; ++k)

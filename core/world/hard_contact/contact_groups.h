@@ -57,7 +57,8 @@ class ContactGroups {
 
  private:
   static constexpr std::size_t angular = D == 2 ? 1 : 3, tensor = D == 2 ? 1 : 6;
-  static constexpr std::size_t stride = D == 2 ? 4 : 8;  // of a block's motion
+  static constexpr std::size_t stride = D == 2 ? 4 : 8;     // of a block's motion
+  static constexpr std::size_t couplings = D == 2 ? 0 : 3;  // of friction rows with those before
 
   struct Row {
     OfFour direction[D];
@@ -84,6 +85,8 @@ class ContactGroups {
     OfFour inverse_inertia_a[tensor];
     OfFour inverse_inertia_b[tensor];
     OfFour tan_friction;
+    std::array<OfFour, couplings> coupling;  // velocity along friction row 1 over an impulse of 0; 2, 0; 2, 1
+    OfFour sliding_mass;                     // of all friction rows; 0 without any
   };
   template <class Four>
   struct Motions;

@@ -137,6 +137,16 @@ void ContactGroups<D>::fill(const ImpulseProblem<D>& problem, Group& group) {
       const std::size_t place = is_friction ? i + std::size_t(group.normal_count - contact.normal_count) : i;
       fill_row(rows[i], rows_[std::size_t(group.first_row) + place]);
     }
+    if constexpr (D == 3) {
+      const std::span<const ImpulseRow<D>> friction = rows.subspan(std::size_t(contact.normal_count));
+      std::size_t i = 0;
+      for (std::size_t k = 1; k < friction.size(); ++k) {
+        for (std::size_t j = 0; j < k; ++j)
+          group.coupling[i++][lane] = contact.coupling(friction[k], friction[j]);
+      }
+      const double inverse_mass = contact.sliding_inverse_mass(friction);
+      group.sliding_mass[lane] = inverse_mass > 0 ? 1 / inverse_mass : 0;
+    }
   }
 }
 

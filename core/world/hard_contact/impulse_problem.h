@@ -69,6 +69,23 @@ struct ImpulseContact {
 
   /// A block that impulses move, where there is any.
   std::int32_t free_block() const { return inverse_mass_a > 0 ? a : b; }
+  /// The velocity along a row over an impulse along another one, and the reverse.
+  double coupling(const ImpulseRow<D>& row, const ImpulseRow<D>& other) const {
+    return (inverse_mass_a + inverse_mass_b) * row.direction.dot(other.direction) +
+           row.turn_a.dot(other.response_a) + row.turn_b.dot(other.response_b);
+  }
+  /// At least the largest eigenvalue of the tensor of inverse masses (Gershgorin): friction that slides, with
+  /// this in place of the inverse mass of each row, opposes the slip, and does not overshoot.
+  double sliding_inverse_mass(std::span<const ImpulseRow<D>> friction) const {
+    double largest = 0;
+    for (const ImpulseRow<D>& row : friction) {
+      double sum = 0;
+      for (const ImpulseRow<D>& other : friction)
+        sum += &row == &other ? row.inverse_mass : std::abs(coupling(row, other));
+      largest = std::max(largest, sum);
+    }
+    return largest;
+  }
 };
 
 /// A velocity problem with unilateral contacts and Coulomb friction: find impulses with u >= target, p >= 0
@@ -137,45 +154,50 @@ struct ImpulseProblem {
     apply(contact, row, impulse - row.impulse);
     row.impulse = impulse;
   }
+  /// The velocity along a row beyond its target.
+  double excess(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
+    return velocity_along(contact, row) - row.target;
+  }
   /// The impulse that brings a row to its target while all others stay.
   double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row) const {
-    return stopping_impulse(contact, row, row.inverse_mass);
+    return row.impulse - excess(contact, row) / row.inverse_mass;
   }
-  /// The same with another inverse effective mass.
-  double stopping_impulse(const ImpulseContact<D>& contact, const ImpulseRow<D>& row,
-                          double inverse_mass) const {
-    return row.impulse - (velocity_along(contact, row) - row.target) / inverse_mass;
-  }
-  /// The friction of a contact after one projection: where it would exceed its bound, all its rows have the
-  /// largest inverse effective mass, so that a solution opposes the velocity of sliding. Returns its size
-  /// before it is limited to the bound; infinite where the slip is reversed.
+  /// The friction of a contact after one projection. Its rows are stopped one after the other: at once they
+  /// would overshoot where they are coupled, as at the corner of a face. Where that would exceed the bound,
+  /// all have one inverse mass, so that a solution opposes the velocity of sliding. Returns its size before
+  /// it is limited to the bound; infinite where the slip is reversed.
   double project_friction(const ImpulseContact<D>& contact, double bound,
                           std::array<double, max_friction_rows<D>>& impulse) {
     const std::span<ImpulseRow<D>> rows = frictions_of(contact);
-    const auto project = [&](auto inverse_mass) {
-      double square = 0;
-      for (std::size_t k = 0; k < rows.size(); ++k) {
-        impulse[k] = stopping_impulse(contact, rows[k], inverse_mass(rows[k]));
-        square += impulse[k] * impulse[k];
-      }
-      return std::sqrt(square);
-    };
-    const double stopping = project([](const ImpulseRow<D>& row) { return row.inverse_mass; });
-    double slip = 0;
-    for (const ImpulseRow<D>& row : rows) slip += row.slip * row.slip;
+    std::array<double, max_friction_rows<D>> beyond{};
+    double stopping = 0, slip = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      beyond[k] = excess(contact, rows[k]);
+      double left = beyond[k];
+      for (std::size_t j = 0; j < k; ++j)
+        left += contact.coupling(rows[k], rows[j]) * (impulse[j] - rows[j].impulse);
+      impulse[k] = rows[k].impulse - left / rows[k].inverse_mass;
+      stopping += impulse[k] * impulse[k];
+      slip += rows[k].slip * rows[k].slip;
+    }
+    stopping = std::sqrt(stopping);
     slip = std::sqrt(slip);
     const auto row_of = [&](int k) {
       const ImpulseRow<D>& row = rows[std::size_t(k)];
-      return SlippingRow<double>{row.slip / slip, row.inverse_mass, row.impulse};
+      return SlippingRow<double>{row.slip / slip, row.inverse_mass, row.impulse, beyond[std::size_t(k)]};
     };
     const double of_translation = contact.inverse_mass_a + contact.inverse_mass_b;
     if (slip > 0 && reverse_slip(int(rows.size()), slip, row_of, of_translation, bound, impulse.data(), 0.0,
                                  1.0, min_divisor) > 0)
       return HUGE_VAL;
     if (D == 2 || stopping <= bound) return limit(impulse, stopping, bound);
-    double common = 0;
-    for (const ImpulseRow<D>& row : rows) common = std::max(common, row.inverse_mass);
-    limit(impulse, project([&](const ImpulseRow<D>&) { return common; }), bound);
+    const double inverse_mass = contact.sliding_inverse_mass(rows);
+    double size = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      impulse[k] = rows[k].impulse - beyond[k] / inverse_mass;
+      size += impulse[k] * impulse[k];
+    }
+    limit(impulse, std::sqrt(size), bound);
     return stopping;
   }
   std::span<ImpulseRow<D>> normals_of(const ImpulseContact<D>& contact) {

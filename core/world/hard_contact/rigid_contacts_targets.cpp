@@ -33,8 +33,8 @@ void RigidContacts<D>::add_support() {
 }
 
 /// An impact reverses the velocity of approach at its time within the step, and the rest of the step is free
-/// flight: for blocks under constant forces that is exact. Points that bore in the last motion are at rest
-/// unless they approach faster than gravity and the solver's tolerance let them.
+/// flight: for blocks under constant forces that is exact. Points that bore in the last motion, or were on a
+/// face that did, are at rest unless they approach faster than gravity and the solver's tolerance let them.
 template <int D>
 void RigidContacts<D>::find_impacts(double time, double duration) {
   free_motions_.assign(problem_.motions.begin(), problem_.motions.end());
@@ -46,10 +46,12 @@ void RigidContacts<D>::find_impacts(double time, double duration) {
     const std::span<ImpulseRow<D>> rows = problem_.normals_of(of);
     const double restitution = model_.law_between(std::size_t(contact.a), std::size_t(contact.b)).restitution;
     const BlockMotion<D> a = motion(std::size_t(of.a)), b = motion(std::size_t(of.b));
+    const bool bears = contact.normal_impulse() > 0;
     double first = HUGE_VAL;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double opening = rows[i].velocity(a, b);
-      if (rows[i].impulse > 0 && opening >= -slow) continue;
+      const bool rests = bears && (rows[i].impulse > 0 || contact.gap[i] <= search_.reach(contact));
+      if (rests && opening >= -slow) continue;
       const double acceleration = 2 / duration * (problem_.velocity_along(of, rows[i]) - opening);
       const double gap = std::max(0.0, contact.gap[i]);
       const double end = gap + duration * (opening + 0.5 * acceleration * duration);

@@ -10,6 +10,7 @@ struct SlippingRow {
   Number part;  // of the slip at the beginning of the half step, over its size
   Number inverse_mass;
   Number impulse;
+  Number excess;  // velocity beyond its target
 };
 
 /// The mean friction along the slip at the beginning, over its bound, of a half step in which slip is
@@ -43,7 +44,7 @@ template <class Number, class RowOf>
   for (int k = 0; k < count; ++k) {
     const SlippingRow<Number> row = row_of(k);
     inverse_mass = inverse_mass + row.part * row.part * row.inverse_mass;
-    velocity = velocity + row.part * row.inverse_mass * (row.impulse - impulse[k]);
+    velocity = velocity + row.part * row.excess;
     along = along + row.part * row.impulse;
     replaced = replaced + row.part * impulse[k];
   }
