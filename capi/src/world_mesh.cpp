@@ -229,6 +229,7 @@ hs_status hs_world_remove_cells(hs_world* world, hs_body body, const int32_t cel
       refuse(HS_ERROR_GEOMETRY, "cell %lld, at the surface after removal of cells, %s",
              static_cast<long long>(report.cell), fault_text(report.fault));
     }
+    if (released.count == 0) return hs_status{HS_OK};
     return write_all(std::int64_t(forces.size()), released.count,
                      [&](int i) { write_point(released, i, forces[std::size_t(i)]); });
   });

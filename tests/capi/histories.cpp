@@ -87,7 +87,7 @@ TEST_CASE("blocks that come alone, in a compound or in a mesh end the keys") {
   if (way == 2) scene.add_bar(5);
   if (way == 3) {
     constexpr std::int32_t first_cell = 0;
-    REQUIRE(hs_world_remove_cells(world, body, &first_cell, 1, {}) >= HS_OK);
+    REQUIRE(hs_world_remove_cells(world, body, &first_cell, 1, {}) == HS_OK);
   }
   const std::vector<std::int64_t> keys = keys_of(world);
   CHECK(keys[0] == 0);

@@ -130,7 +130,7 @@ TEST_CASE("a node that no cell is left of stays where it is, whatever is set for
     REQUIRE(s.add() == HS_OK);
     const std::int32_t first_cell = 0, its_node = 0;
     const double force[3] = {0, 1e3, 0};
-    REQUIRE(hs_world_remove_cells(w, s.body, &first_cell, 1, {}) >= HS_OK);
+    REQUIRE(hs_world_remove_cells(w, s.body, &first_cell, 1, {}) == HS_OK);
     const Points3 before = of_nodes(hs_world_get_node_positions, w, s.body);
     Points3 velocities(before.size(), Point3{1, 2, 0});
     CHECK(hs_world_hold_nodes(w, s.body, &its_node, 1, 0, nullptr) == HS_OK);

@@ -263,6 +263,8 @@ class Actions(SceneTest):
         for old, new, fault in [
             ('on = "ground"', 'on = "grund"', r"action\[0\]\.on: no such block: .grund. .did you mean .ground"),
             ('on = "loose"', "", r"action\[1\]\.on: missing"),
+            ('on = "loose"', 'on = ""', r"action\[1\]\.on: empty; allowed: a string"),
+            ('file = "table.csv"', 'file = ""', r"action\[.\]\.file: empty; allowed: a string"),
             ('kind = "force"', 'kind = "push"', r'action\[1\]\.kind: unknown word: "push"'),
             ('on = "ground"', 'on = "loose"', r'action\[0\]\.on: "loose" cannot follow it; allowed: a prescribed'),
             ("[0.303, 100, 50], [0.303, 0, 0]", "[-1, 0, 0]", r"row 1 is at -1 s; allowed: times that ascend"),

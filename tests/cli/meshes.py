@@ -311,6 +311,7 @@ vertices = {vertices}
         whole = head("A bar") + BAR + SETTLE
         for old, new, fault in [
             ('group = "held"', 'group = "heldd"', r'mesh\[0\]\.support\[0\]\.group: no such group: "heldd"; allowed: held, pulled'),
+            ('group = "held"', 'group = ""', r"mesh\[0\]\.support\[0\]\.group: empty; allowed: a string of at least one letter"),
             ('axes = "x"', 'axes = "xx"', r'mesh\[0\]\.support\[0\]\.axes: "xx"; allowed'),
             ('name = "soft part"', 'name = "corner"', r"mesh\[0\]\.group\[0\]\.name: no cell is in this group"),
             ('material = "soft_rock"', 'material = "ground"', r'group\[0\]\.material: the material "ground" is not elastic'),

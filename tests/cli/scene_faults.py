@@ -108,6 +108,10 @@ class SceneFaults(unittest.TestCase):
         self.assertIn('no such material: "snow"', answer.stderr)
         self.assertNotIn("given before", answer.stderr)
 
+    def test_a_law_between_no_materials_is_a_fault(self):
+        answer = check_text((SCENES / "falling_block.toml").read_text() + "[[law]]\nbetween = []\n")
+        self.assertIn("law[0].between: an empty list; allowed", answer.stderr)
+
     def test_keys_of_any_depth_are_faults(self):
         deep = 100_000
         nine = ".".join("abcdefghi")

@@ -100,3 +100,9 @@ TEST_CASE("a line along an edge cuts nothing off") {
   CHECK(parts.ahead.empty());
   CHECK(parts.behind.size() == 4);
 }
+
+TEST_CASE("a polygon that is on a line to rounding is on neither side") {
+  const PolygonParts parts =
+      cut_polygon(rectangle(1, 1), {1e15, 0}, {0, 1}, std::pmr::get_default_resource());
+  CHECK(!parts.is_cut());
+}

@@ -134,6 +134,12 @@ std::string Keys::text(std::string_view key, std::optional<std::string> fallback
   return fallback.value_or("");
 }
 
+std::string Keys::nonempty_text(std::string_view key) {
+  const std::string value = text(key, required);
+  if (value.empty() && has_text(key)) fault(key, "empty; allowed: a string of at least one letter");
+  return value;
+}
+
 bool Keys::boolean(std::string_view key, bool fallback) {
   const toml::node* node = find(key, "true or false", false);
   if (node) {
@@ -306,6 +312,7 @@ std::vector<std::string> Keys::texts(std::string_view key, std::vector<Place>& p
     fault(key, "not a list of strings: " + shown(*node) + "; allowed: [\"string\", ...]");
     return {};
   }
+  if (list->empty() && !fallback) fault(key, "an empty list; allowed: [\"string\", ...]");
   std::vector<std::string> texts;
   for (const toml::node& item : *list) {
     texts.push_back(item.as_string()->get());

@@ -48,6 +48,8 @@ class Keys {
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                        std::optional<std::int64_t> fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
+  /// Required. Returns an empty string only with a fault.
+  std::string nonempty_text(std::string_view key);
   bool boolean(std::string_view key, bool fallback);
   /// The index of the word among the allowed ones.
   int word(std::string_view key, const std::vector<std::string_view>& allowed, std::optional<int> fallback);
@@ -71,6 +73,7 @@ class Keys {
                                      std::int64_t high);
   /// Lists of three or more indices, 0 <= index < count; empty by default.
   std::vector<std::vector<int>> loops(std::string_view key, std::size_t count);
+  /// A list that is required is not empty.
   std::vector<std::string> texts(std::string_view key, std::vector<Place>& places,
                                  std::optional<std::vector<std::string>> fallback);
   /// The strings of an optional list that may also have tables, which tables_among() reads.

@@ -19,7 +19,7 @@ using Rows = std::vector<std::vector<double>>;
 /// Rows in the scene, or in a file whose path is set.
 Rows read_rows(Keys& keys, const std::string& folder, std::string& file, const std::string& allowed) {
   if (!keys.either("file", "table")) return keys.rows("table", allowed);
-  const std::filesystem::path path(keys.text("file", required));
+  const std::filesystem::path path(keys.nonempty_text("file"));
   if (path.empty()) return {};  // a fault already
   file = (folder / path).string();
   if (!std::filesystem::is_regular_file(file)) {
@@ -135,7 +135,7 @@ void read_table(Keys& keys, const std::string& folder, Action& action) {
 
 Action read_action(Keys& keys, const Scene& scene) {
   Action action;
-  action.on = keys.text("on", std::string());
+  action.on = keys.has("on") ? keys.nonempty_text("on") : keys.text("on", std::string());
   action.key = keys.path("on");
   action.place = keys.place("on");
   action.kind = keys.kind("kind", {std::begin(action_names), std::end(action_names)}, required);

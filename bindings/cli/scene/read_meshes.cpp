@@ -30,7 +30,7 @@ MeshPart read_part(Keys& keys) {
     part = {.group = {}, .box = read_box(keys, false), .key = keys.path("box"), .place = keys.place("box")};
     if (keys.has("group")) keys.fault("group", "a box is given as well; allowed: one of the two");
   } else {
-    part = {.group = keys.text("group", required),
+    part = {.group = keys.nonempty_text("group"),
             .box = {},
             .key = keys.path("group"),
             .place = keys.place("group")};

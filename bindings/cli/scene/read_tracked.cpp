@@ -43,7 +43,7 @@ void read_tracked_joints(std::vector<Keys> tables, Scene& scene) {
     bool is_given = keys.has(given);
     if (keys.has("blocks")) {
       std::vector<Place> places;
-      joint.blocks = keys.texts("blocks", places, required);
+      joint.blocks = keys.texts("blocks", places, std::vector<std::string>{});
       is_given = joint.blocks.size() == 2 && joint.blocks[0] != joint.blocks[1];
       if (!is_given) keys.fault("blocks", "not a pair of blocks; allowed: two names, [\"a\", \"b\"]");
       if (keys.has("at")) keys.fault("at", "the blocks are given as well; allowed: one of the two");

@@ -38,7 +38,7 @@ std::vector<Point> read_plane(Keys& keys) {
 
 /// The heights of a CSV file, whose first row is the northernmost, as points with ascending x and y.
 void read_map(Keys& keys, const std::string& folder, Water& water) {
-  const std::string name = keys.text("file", required);
+  const std::string name = keys.nonempty_text("file");
   const bool is_grid = extension_of(name) == ".asc";
   const double given = keys.number("spacing", above(0), is_grid ? std::optional(0.0) : required);
   const Point shift = keys.point("shift", Point{});

@@ -37,6 +37,8 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
   for (double& h : heights) {
     if (std::abs(h) <= rounding) h = 0;
   }
+  const auto is_behind = [](double h) { return h < 0; };
+  const auto is_ahead = [](double h) { return h > 0; };
 
   PolygonParts parts{Array<Vector<2>>(memory), Array<Vector<2>>(memory), highest > -lowest};
   for (std::size_t i = 0; i < n; ++i) {
@@ -51,6 +53,9 @@ PolygonParts cut_polygon(std::span<const Vector<2>> vertices, const Vector<2>& p
       parts.ahead.push_back(corner);
     }
   }
+  // A polygon that is on the line to rounding is on neither side.
+  if (std::none_of(heights.begin(), heights.end(), is_behind)) parts.behind.clear();
+  if (std::none_of(heights.begin(), heights.end(), is_ahead)) parts.ahead.clear();
   keep_if_polygon(parts.behind, memory);
   keep_if_polygon(parts.ahead, memory);
   return parts;

@@ -253,6 +253,7 @@ impl World {
         let mut released = vec![[0.0; 3]; self.body_state(body)?.node_count as usize];
         let room = ViewMut::from(&mut released);
         call!(mut self => hs_world_remove_cells(body, [cells], room))?;
+        self.recount_blocks();
         Ok(released)
     }
 

@@ -314,6 +314,8 @@ fn a_body_is_stressed_and_cut() -> Result<()> {
         .fold(0.0, f64::max);
     assert!(size > 1e3 && sum.abs() < 1e-9 * size);
     assert_eq!(world.cells(body)?[last].stress[0][0], 0.0);
+    assert_eq!(world.block_count(), world.blocks().len());
+    assert_eq!(world.block_count(), world.report()?.block_count);
     Ok(())
 }
 
